@@ -11,6 +11,7 @@ from vrts.engine.run import Run
 from vrts.engine.storage.origin import Origin, Programs, SceneText
 from vrts.lang.compiler import Compilation
 from vrts.lang.joined import Joined
+from vrts.pipeline.compiling.programs import Compiled
 from vrts.pipeline.execution import executed
 from vrts.pipeline.request import Request
 from vrts.pipeline.setting import Setting
@@ -26,15 +27,29 @@ class Simulated(NamedTuple):
 
 def simulate(request: Request) -> Simulated:
     """Compile and execute a program, without judging it."""
-    found, reading = executed(request), request.reading
-    compilation = found.compiled.compilation
-    if found.run is None or compilation is None:
-        return Simulated(None, None, found.diagnostics)
+    found = executed(request)
+    return of_run(request, found.compiled, found.run, found.diagnostics)
+
+
+def of_run(
+    request: Request, compiled: Compiled, run: Run | None, diagnostics: tuple[Diagnostic, ...]
+) -> Simulated:
+    """Return what a file of a run has to tell, where the run is there already.
+
+    Args:
+        request: What was asked for.
+        compiled: Its program.
+        run: What came of it; None: nothing ran.
+        diagnostics: All but those of the run.
+    """
+    reading, compilation = request.reading, compiled.compilation
+    if run is None or compilation is None:
+        return Simulated(None, None, diagnostics)
     programs = Programs(
         _files(compilation), compilation.dialect.name, reading.precedence, reading.replace
     )
     origin = Origin(programs, scene_text(request.setting))
-    return Simulated(found.run, origin, (*found.diagnostics, *told_of(found.run)))
+    return Simulated(run, origin, (*diagnostics, *told_of(run)))
 
 
 def told_of(run: Run) -> tuple[Diagnostic, ...]:

@@ -95,13 +95,9 @@ def command(
     from vrts.cli.shared.cores import one_thread_each, workers_of
 
     one_thread_each()
+    from vrts.api.requests import outside
     from vrts.assignments.packed import found_setting
     from vrts.cli.shared.requests import run_request, verify_request
-    from vrts.pipeline.environments import (
-        load_environment,
-        usual_environment,
-        with_scenario_of,
-    )
     from vrts.pipeline.futures import proved
     from vrts.prove.asking import USUAL_STATES, Asking
 
@@ -111,13 +107,9 @@ def command(
         request = run_request(given, where, language, entry)
     else:
         request = verify_request(given, setting, language, entry=entry)
-    if environment is None:
-        outside = usual_environment(request.setting)
-    else:
-        outside, said = load_environment(environment, request.setting)
-        show_diagnostics(said, color)
-    if where.scenario is not None:  # asked for: then it is no example
-        outside = with_scenario_of(outside, request.setting)
+    # a scenario that is asked for is no example: what it says holds in every future
+    around, said = outside(request.setting, environment, fixed=where.scenario is not None)
+    show_diagnostics(said, color)
     workers = workers_of(jobs)
     with searching(seconds) as asked:
         asking = Asking(
@@ -128,7 +120,7 @@ def command(
             answers=workers.answers,
             beside=workers.beside,
         )
-        found = proved(request, outside, asking)
+        found = proved(request, around, asking)
     show_diagnostics(found.diagnostics, color)
     if found.proof is None:
         sys.exit(WRONG)
@@ -139,14 +131,14 @@ def command(
 
         texts = tuple(map(_scenario, found.proof.found))
         tick_s = request.setting.scene.robot.arm.tick
-        leaves = _of_leaves(found.proof, outside, tick_s)
+        leaves = _of_leaves(found.proof, around, tick_s)
         out(json_text(futures_json(title, found.proof, texts, leaves)))
     else:
         from vrts.report.screen.futures_text import futures_text
 
         out(futures_text(title, found.proof, color=use_color(color)))
     if html is not None:
-        _write_page(request, found, outside, html)
+        _write_page(request, found, around, html)
     if counterexample is not None:
         command = "run" if setting is None else "verify"
         again = ["vrts", command, str(program), *_named(where, language, entry), "--scenario"]
@@ -219,9 +211,9 @@ def _write(proof: "Proof", again: list[str], path: Path) -> None:
 
 
 def _scenario(wronged: "Wronged") -> str:
-    from vrts.scene.writing.scenario_text import scenario_text
+    from vrts.api.proofs import scenario_of
 
-    return scenario_text(wronged.headline, wronged.scenario)
+    return scenario_of(wronged)
 
 
 def status_of(proof: "Proof") -> int:

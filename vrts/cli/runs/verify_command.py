@@ -32,7 +32,7 @@ from vrts.cli.shared.programs import given_program
 from vrts.pipeline.where import Where
 
 if TYPE_CHECKING:
-    from vrts.pipeline.request import Request
+    from vrts.api.assessments import Assessment as Whole
     from vrts.report.assessment import Assessment
 
 NO_RERUN = (
@@ -95,10 +95,10 @@ def command(
     from vrts.cli.shared.cores import one_thread_each, workers_of
 
     one_thread_each()
+    from vrts.api.verifying import assessed
     from vrts.assignments.packed import found_setting, public_answer
     from vrts.cli.shared.requests import verify_request
     from vrts.marking.proposer.by_name import by_name
-    from vrts.pipeline.assess import assess
     from vrts.pipeline.request import Checks
 
     if certificate is not None and no_collisions:
@@ -119,7 +119,8 @@ def command(
             workers=workers_of(None),
         )
         request = verify_request(given, setting, language, checks=checks)
-        found = assess(request)
+        whole = assessed(request)
+        found = whole.inner
     if form == "json":
         from vrts.report.formats.json_form import assessment_json
         from vrts.report.formats.json_text import json_text
@@ -139,20 +140,21 @@ def command(
     if mcap is not None:
         write_mcap(found, mcap)
     if certificate is not None:
-        write_certificate(found, request, certificate)
+        write_certificate(whole, certificate)
     sys.exit(status_of(found))
 
 
-def write_certificate(found: "Assessment", request: "Request", path: Path) -> None:
+def write_certificate(found: "Whole", path: Path) -> None:
     """Write what proves that the collisions found are those there are, and say so."""
-    from vrts.run_files.proving import certificate_of
-    from vrts.run_files.simulated import simulate
+    from vrts.api.certificates import certified
+    from vrts.api.errors import VrtsError
 
-    report = None if found.judgement is None else found.judgement.collisions
-    if report is None:
-        warn("nothing ran, so there is nothing to prove")
+    try:
+        data = certified(found.inner, found.simulated)
+    except VrtsError as problem:
+        warn(str(problem))
         return
-    write_file(path, certificate_of(simulate(request), report))
+    write_file(path, data)
     say(f"wrote {path}")
 
 

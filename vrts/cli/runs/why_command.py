@@ -53,17 +53,18 @@ def command(
     Of all losses, else of a time, a thing of the scene or a variable. A chain has at most five
     lines, what came last first. Exit status 1 when something is wrong.
     """
+    from vrts.api.causes import chains_of
+    from vrts.api.errors import VrtsError
     from vrts.assignments.packed import found_setting
     from vrts.cli.runs.verify_command import status_of
     from vrts.cli.shared.requests import verify_request
     from vrts.pipeline.assess import assess
     from vrts.pipeline.request import Checks
     from vrts.report.audience import Audience
-    from vrts.report.because import asked, because, told_to
+    from vrts.report.because import told_to
     from vrts.report.formats.json_text import json_text
     from vrts.report.formats.why_json import chains_json
     from vrts.report.screen.causes.why_text import why_text
-    from vrts.why.asking import Unknown
 
     given = given_program(program)
     setting = found_setting(given.path, where)
@@ -74,15 +75,13 @@ def command(
         )
     found = assess(verify_request(given, setting, language, checks=Checks(causes=True)))
     level = told_to(found, Audience(reader))
-    if found.run is not None and time_s is not None and not 0.0 <= time_s <= found.run.horizon_s:
-        fail(f"the run lasts from 0 to {found.run.horizon_s:.1f} s", (), status=WRONG)
     try:
-        of_one = asked(found, name, time_s) if name is not None or time_s is not None else None
-    except Unknown as problem:
-        fail(str(problem), ("`vrts scene show` lists the things of a scene",), status=WRONG)
-    chains = because(found) if of_one is None else (of_one,)
+        chains, whole = chains_of(found, name, time_s)
+    except VrtsError as problem:
+        hints = () if name is None else ("`vrts scene show` lists the things of a scene",)
+        fail(str(problem), hints, status=WRONG)
     if form == "json":
         out(json_text(chains_json(found, chains, level)))
     else:
-        out(why_text(found, chains, level, whole=of_one is None, color=use_color(color)))
-    sys.exit(HOLDS if of_one is not None else status_of(found))
+        out(why_text(found, chains, level, whole=whole, color=use_color(color)))
+    sys.exit(status_of(found) if whole else HOLDS)

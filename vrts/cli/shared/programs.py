@@ -2,27 +2,17 @@
 
 import sys
 from pathlib import Path
-from typing import NamedTuple
 
+from vrts.api.given import Given
 from vrts.cli.shared.console import fail
 from vrts.cli.shared.options import Language
 from vrts.pipeline.compiling.reading import ProgramFile, Reading
 from vrts.pipeline.files import read_bytes, shown
 from vrts.pipeline.where import Where
 
+__all__ = ["STDIN", "Given", "given_program", "reading_of", "require_scene_of_lab"]
+
 STDIN = "-"
-
-
-class Given(NamedTuple):
-    """A program that a command is given."""
-
-    program: ProgramFile
-    path: Path | None  # None: it came from stdin
-
-    @property
-    def folder(self) -> Path | None:
-        """Where files that belong to it are looked for first."""
-        return None if self.path is None else self.path.parent
 
 
 def given_program(name: str) -> Given:

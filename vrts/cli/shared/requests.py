@@ -3,12 +3,12 @@
 Commands import this when they are called: robots and scenes are loaded with it.
 """
 
+from vrts.api import requests
 from vrts.cli.shared.options import Language
 from vrts.cli.shared.programs import Given, reading_of, require_scene_of_lab
-from vrts.pipeline.alone import robot_alone
 from vrts.pipeline.request import ALL_CHECKS, Checks, Request
 from vrts.pipeline.setting import Setting
-from vrts.pipeline.where import ANYWHERE, Where
+from vrts.pipeline.where import Where
 
 
 def run_request(
@@ -27,12 +27,7 @@ def run_request(
         Refused: Scene, scenario or lab have errors.
     """
     require_scene_of_lab(where)
-    reading = reading_of(language)
-    if where == ANYWHERE:
-        return Request(given.program, robot_alone(), reading, entry)
-    from vrts.pipeline.scenes import free_setting
-
-    return Request(given.program, free_setting(where, given.folder), reading, entry)
+    return requests.run_request(given, where, reading_of(language), entry)
 
 
 def run_request_beside(
@@ -47,12 +42,7 @@ def run_request_beside(
         CannotRead: A file is not there.
         Refused: Task, scene, scenario or lab have errors.
     """
-    from vrts.pipeline.settings import setting_for
-
-    setting = setting_for(given.path, where)
-    if setting is None:
-        return run_request(given, where, language, entry)
-    return Request(given.program, setting, reading_of(language), entry)
+    return requests.run_request_beside(given, where, reading_of(language), entry)
 
 
 def verify_request(
@@ -75,7 +65,5 @@ def verify_request(
     Raises:
         CannotRead: A file that belongs to the program is not there.
     """
-    reading = reading_of(language, "val2")
-    name, path = given.program.name, given.path
-    identifier, title = (name, None) if path is None else (path.stem, path.name)
-    return Request(given.program, setting, reading, entry, checks, identifier, title)
+    how = reading_of(language, "val2")
+    return requests.verify_request(given, setting, how, entry=entry, checks=checks)

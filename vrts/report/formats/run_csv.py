@@ -10,16 +10,14 @@ from collections.abc import Iterator
 import numpy as np
 import numpy.typing as npt
 
-from vrts.base.oat import VERTICAL_TOLERANCE
-from vrts.base.pose import Pose
 from vrts.base.units import DEG, MM
 from vrts.engine.batch import batch_of
 from vrts.engine.memory.events import SignalChanged
 from vrts.engine.memory.records import Lie
 from vrts.engine.run import Run
 from vrts.report.formats.csv_field import text_field
+from vrts.report.poses.tool import oat_deg, tool_frames
 from vrts.robots.built import shown_off
-from vrts.robots.kinematics.batch import flange_frames
 
 Array = npt.NDArray[np.float64]
 
@@ -56,14 +54,14 @@ def _header(changes: dict[int, tuple[list[float], list[bool]]]) -> str:
 def _rows(run: Run, times: Array, changes: dict[int, tuple[list[float], list[bool]]]) -> str:
     batch = batch_of(run.timeline)
     values, rates = batch.values(times), batch.rates(times)
-    rotations, origins = _tool_poses(run, times, values[:, :JOINTS])
+    rotations, origins = tool_frames(run, times, values[:, :JOINTS])
     numbers = np.column_stack(
         (
             times,
             (values[:, :JOINTS] + np.array(shown_off(run.scene.robot.arm))) / DEG,
             rates[:, :JOINTS] / DEG,
             origins / MM,
-            _oat(rotations),
+            oat_deg(rotations),
             values[:, JOINTS] / MM,
         )
     )
@@ -80,39 +78,6 @@ def _rows(run: Run, times: Array, changes: dict[int, tuple[list[float], list[boo
         signals = "".join(f",{int(_is_on(change, time_s))}" for change in changes.values())
         rows.append(f"{form % tuple(row)},{text_field(_holds(held, time_s))},{place}{signals}{END}")
     return "".join(rows)
-
-
-def _tool_poses(run: Run, times: Array, q: Array) -> tuple[Array, Array]:
-    """Return the tool in W, as `State.X_WT` has it: rotations (m, 3, 3), origins (m, 3) [m]."""
-    rotations, origins = flange_frames(run.scene.robot.arm, q)
-    tools: dict[Pose, int] = {}
-    which = np.array([tools.setdefault(_tool_at(run, t), len(tools)) for t in times.tolist()])
-    turns = np.array([X.rotation for X in tools]).reshape(-1, 3, 3)[which]
-    moves = np.array([X.translation for X in tools])[which]
-    return rotations @ turns, origins + np.einsum("mij,mj->mi", rotations, moves)
-
-
-def _tool_at(run: Run, time_s: float) -> Pose:
-    motions = run.motions
-    found = bisect_right(motions, time_s, key=lambda motion: motion.start_s)
-    if found and time_s <= motions[found - 1].end_s:
-        return motions[found - 1].X_FT
-    return run.at(time_s).X_FT
-
-
-def _oat(rotations: Array) -> Array:
-    """Return O A T in degrees of rotations, shape (m, 3, 3), as `base.oat` has them."""
-    r = rotations
-    level = np.hypot(r[:, 0, 2], r[:, 1, 2])
-    vertical = level < VERTICAL_TOLERANCE
-    o = np.where(
-        vertical,
-        np.arctan2(r[:, 1, 1], r[:, 0, 1]),
-        np.arctan2(r[:, 0, 2], -r[:, 1, 2]),
-    )
-    a = np.arctan2(-r[:, 2, 2], level)
-    t = np.where(vertical, 0.0, np.arctan2(r[:, 2, 1], -r[:, 2, 0]))
-    return np.column_stack((o, a, t)) / DEG
 
 
 def _signal_changes(run: Run) -> dict[int, tuple[list[float], list[bool]]]:

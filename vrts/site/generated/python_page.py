@@ -19,13 +19,14 @@ _SECTION = re.compile(r"^(Args|Returns|Raises|Yields|Attributes|Example|Examples
 
 def python_page(package: Path) -> str:
     """Return the page of all public names, in the order of `__all__`."""
-    module = ast.parse((package / "__init__.py").read_text("utf-8"))
+    own, told = package / "__init__.py", package / "__init__.pyi"  # names that are loaded late
+    module = ast.parse(own.read_text("utf-8"))
     pieces = [HEAD]
     said = ast.get_docstring(module)
     if said:
         pieces.append(docstring(said))
     for name in _exported(module):
-        found = _definition(package, package / "__init__.py", name)
+        found = _definition(package, told if told.is_file() else own, name)
         if found is not None:
             pieces.append(_described(found))
     return "\n".join(pieces)
@@ -47,8 +48,9 @@ Definition = ast.FunctionDef | ast.ClassDef
 def _definition(package: Path, path: Path, name: str) -> Definition | None:
     """Return where a name is defined, following what its module imports from others."""
     tree = ast.parse(path.read_text("utf-8"))
-    for node in ast.walk(tree):
-        if isinstance(node, ast.FunctionDef | ast.ClassDef) and node.name == name:
+    own = [node for node in tree.body if isinstance(node, ast.FunctionDef | ast.ClassDef)]
+    for node in reversed(own):  # of several the last: those before it say what types it takes
+        if node.name == name:
             return node
     for node in ast.walk(tree):
         if isinstance(node, ast.ImportFrom) and node.module and node.module.startswith("vrts"):
