@@ -87,7 +87,7 @@ again = false                     # true: EXECUTE again, with the memory that th
 """
 
 
-class _Read(NamedTuple):
+class Read(NamedTuple):
     """What a program reads from outside, and where."""
 
     inputs: dict[int, list[str]]
@@ -106,19 +106,19 @@ def new_environment(name: str, module: Module) -> str:
         name: Of the program's file.
         module: Its programs.
     """
-    read = _read(module)
+    read = read_by(module)
     output = read.outputs[0] if read.outputs else 1
     parts = [HEAD.format(name=name)]
     for signal, places in sorted(read.inputs.items()):
-        where = f"read at {_listed(places)}"
+        where = f"read at {listed(places)}"
         answers = ANSWERS.format(output=output)
         parts.append(INPUT.format(signal=signal, where=where, answers=answers))
     for channel, places in sorted(read.analog.items()):
-        where = f"read at {_listed(places)}"
+        where = f"read at {listed(places)}"
         ends = {"least": LEAST_COUNT, "most": MOST_COUNT}
         parts.append(ANALOG.format(where=where, channel=channel, **ends))
     if read.prompts:
-        parts.append(PROMPTS.format(where=_listed(read.prompts)))
+        parts.append(PROMPTS.format(where=listed(read.prompts)))
     if read.random:
         parts.append(RANDOM)
     if read.hand:
@@ -128,8 +128,9 @@ def new_environment(name: str, module: Module) -> str:
     return "".join([*parts, TAIL])
 
 
-def _read(module: Module) -> _Read:
-    found = _Read({}, {}, [], random=False, hand=False, two=False, outputs=[])
+def read_by(module: Module) -> Read:
+    """Return what the programs of a module read from outside, and where."""
+    found = Read({}, {}, [], random=False, hand=False, two=False, outputs=[])
     random = hand = two = False
     for program in module.programs.values():
         for instruction, origin in zip(program.instructions, program.origins, strict=True):
@@ -178,6 +179,7 @@ def _outputs(instruction: ir.Instruction) -> list[int]:
     return [n for n in numbers if n is not None and n > 0]
 
 
-def _listed(places: list[str]) -> str:
+def listed(places: list[str]) -> str:
+    """Return steps in words, the first of many."""
     more = len(places) - MOST_STEPS
     return ", ".join(places[:MOST_STEPS]) + (f" and {more} more" if more > 0 else "")

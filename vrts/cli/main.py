@@ -23,7 +23,7 @@ SECTIONS = {  # heading: name: where it is, what it does
         "scene": ("authoring.scene_command", "list, show, check and watch scenes"),
         "new": (
             "authoring.new_command",
-            "write a scene, a task, a program or an environment to begin with",
+            "write a scene, task, program, environment or scenario to begin with",
         ),
         "editor": ("editors.editor_command", "set up VS Code, Neovim or Emacs for VAL-II"),
         "lsp": ("editors.lsp_command", "help an editor while programs are written"),

@@ -13,6 +13,8 @@ from vrts.cli.shared.console import WRONG, fail, guarded, say, show_diagnostics,
 from vrts.cli.shared.options import Language, color_option, file_option, language_options
 
 if TYPE_CHECKING:
+    from vrts.cli.shared.programs import Given
+    from vrts.ir.module import Module
     from vrts.pipeline.setting import Setting
     from vrts.scene.model import Scene
 
@@ -24,6 +26,7 @@ Examples:
   vrts new program mine.v2 --from cans-on-bases
   vrts new lab lab.toml
   vrts new environment prog.v2
+  vrts new scenario prog.v2
 """
 
 from_option = click.option(
@@ -33,7 +36,7 @@ from_option = click.option(
 
 @click.group(name="new", epilog=EPILOG)
 def command() -> None:
-    """Write a scene, a task, a program, a lab or an environment. Nothing is overwritten."""
+    """Write a scene, a task, a program, a lab, an environment or a scenario; replace nothing."""
 
 
 @command.command(name="scene", epilog=EPILOG)
@@ -80,6 +83,19 @@ def lab(name: Path, color: str) -> None:
     say(f"write your measures into it; `vrts scene check cans-on-bases --lab {file}` looks at them")
 
 
+def _module(given: "Given", language: Language, color: str) -> "Module":
+    """Return the programs of a file; end where it does not compile."""
+    from vrts.cli.shared.programs import reading_of
+    from vrts.pipeline.compiling.programs import compile_bytes
+
+    found = compile_bytes(given.program.data, given.program.name, reading_of(language))
+    module = None if found.compilation is None else found.compilation.module
+    if module is None:
+        show_diagnostics([d for d in found.diagnostics if d.is_error], color)
+        sys.exit(WRONG)
+    return module
+
+
 @command.command(name="environment", epilog=EPILOG)
 @click.argument("program")
 @file_option(
@@ -94,19 +110,41 @@ def environment(program: str, target: Path | None, color: str, language: Languag
     It names every input that the program reads, and leaves all of them free.
     """
     from vrts.assignments.new_environment import new_environment
-    from vrts.cli.shared.programs import given_program, reading_of
-    from vrts.pipeline.compiling.programs import compile_bytes
+    from vrts.cli.shared.programs import given_program
 
     given = given_program(program)
-    found = compile_bytes(given.program.data, given.program.name, reading_of(language))
-    module = None if found.compilation is None else found.compilation.module
-    if module is None:
-        show_diagnostics([d for d in found.diagnostics if d.is_error], color)
-        sys.exit(WRONG)
+    module = _module(given, language, color)
     file = target or (given.folder or Path()) / "environment.toml"
     name = given.program.name if given.path is None else given.path.name
     _write(file.parent, {file.name: new_environment(name, module).encode()})
     say(f"try it with `vrts prove {given.program.name} --environment {file}`")
+
+
+@command.command(name="scenario", epilog=EPILOG)
+@click.argument("program")
+@file_option(
+    "-o", "--output", "target", help="Where to; otherwise NAME-scenario.toml beside PROGRAM."
+)
+@color_option
+@language_options
+@guarded
+def scenario(program: str, target: Path | None, color: str, language: Language) -> None:
+    """Write what happens in a run of PROGRAM, for `--scenario` and for you to change.
+
+    It names every input and every question of the program, each with an example, and what may go
+    wrong.
+    """
+    from vrts.assignments.new_scenario import new_scenario
+    from vrts.cli.shared.programs import given_program
+
+    given = given_program(program)
+    module = _module(given, language, color)
+    name, stem = given.program.name, "program"
+    if given.path is not None:
+        name, stem = given.path.name, given.path.stem
+    file = target or (given.folder or Path()) / f"{stem}-scenario.toml"
+    _write(file.parent, {file.name: new_scenario(name, module, file.name).encode()})
+    say(f"try it with `vrts run {given.program.name} --scenario {file}`")
 
 
 @command.command(name="task", epilog=EPILOG)
