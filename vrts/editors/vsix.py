@@ -5,12 +5,22 @@ import zipfile
 from importlib.resources import files
 from importlib.resources.abc import Traversable
 from io import BytesIO
+from pathlib import Path
 from typing import Any
 from xml.sax.saxutils import escape, quoteattr
 
 from vrts import __version__
+from vrts.schemas import FOLDER
 
 GRAMMAR = "val2.tmLanguage.json"
+FILES = {  # how files are called that a schema is of; others say `#:schema` in their first line
+    "scene": ("scene.toml",),
+    "lab": ("lab.toml", "*-lab.toml"),
+    "task": ("task.toml",),
+    "scenario": ("scenario.toml", "*-scenario.toml"),
+    "environment": ("environment.toml", "*-environment.toml"),
+    "columns": ("columns.toml", "*-columns.toml"),
+}
 _MADE = (2000, 1, 1, 0, 0, 0)
 _TYPES = {
     "json": "application/json",
@@ -28,6 +38,7 @@ def vsix() -> bytes:
     contents = dict(_files(editors.joinpath("vscode"), "extension"))
     package = json.loads(contents["extension/package.json"])
     package["version"] = version()
+    package["contributes"]["tomlValidation"] = toml_validation(FOLDER)
     contents["extension/package.json"] = json.dumps(package, indent=2).encode() + b"\n"
     contents[f"extension/syntaxes/{GRAMMAR}"] = editors.joinpath(GRAMMAR).read_bytes()
     contents["extension.vsixmanifest"] = _manifest(package).encode()
@@ -40,6 +51,20 @@ def vsix() -> bytes:
             info.external_attr = 0o644 << 16
             archive.writestr(info, contents[name])
     return data.getvalue()
+
+
+def toml_validation(folder: Path) -> list[dict[str, object]]:
+    """Return which schema checks which file, as the extension Even Better TOML takes it.
+
+    It wants an address and no path within our extension: so it is that of the vrts that writes.
+
+    Args:
+        folder: That of the schemas.
+    """
+    return [
+        {"fileMatch": list(names), "url": (folder / f"{kind}.schema.json").resolve().as_uri()}
+        for kind, names in FILES.items()
+    ]
 
 
 def version() -> str:

@@ -10,6 +10,8 @@ import zipfile
 from importlib.resources import files
 from io import BytesIO
 from pathlib import Path
+from urllib.parse import urlsplit
+from urllib.request import url2pathname
 from xml.etree import ElementTree
 
 import pytest
@@ -17,8 +19,9 @@ from click.testing import CliRunner
 
 from vrts.cli.editors.editor_command import command
 from vrts.debug.dap.adapter import Adapter
-from vrts.editors.vsix import version, vsix
+from vrts.editors.vsix import toml_validation, version, vsix
 from vrts.lang.dialect import DIALECTS
+from vrts.schemas import KINDS
 
 ARCHIVE = zipfile.ZipFile(BytesIO(vsix()))
 PACKAGE = json.loads(ARCHIVE.read("extension/package.json"))
@@ -49,6 +52,19 @@ def test_everything_it_names_is_there() -> None:
     kinds = ElementTree.fromstring(ARCHIVE.read("[Content_Types].xml"))
     known = {default.get("Extension") for default in kinds}
     assert {Path(name).suffix for name in names if name != "[Content_Types].xml"} <= known
+
+
+def test_files_are_checked_by_their_schemas() -> None:
+    named = {
+        Path(url2pathname(urlsplit(str(entry["url"])).path)): entry["fileMatch"]
+        for entry in PACKAGE["contributes"]["tomlValidation"]
+    }
+    assert {path.name for path in named} == {f"{kind}.schema.json" for kind in KINDS}
+    for path, names in named.items():
+        assert json.loads(path.read_text("utf-8"))["type"] == "object"
+        assert f"{path.name.removesuffix('.schema.json')}.toml" in names
+    odd = toml_validation(Path("/a folder/ö"))
+    assert odd[0]["url"] == "file:///a%20folder/%C3%B6/scene.schema.json"
 
 
 def test_the_grammar_is_that_of_the_vocabulary() -> None:
