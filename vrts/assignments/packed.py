@@ -7,6 +7,7 @@ from tempfile import TemporaryDirectory
 
 from vrts.assignments.pack import BAD_ARCHIVE, Bundle, read_zip
 from vrts.base.diagnostic import error
+from vrts.base.safe_names import safe
 from vrts.check.task.task_places import lab_name, scene_name
 from vrts.pipeline.controllers import with_controller
 from vrts.pipeline.files import SCENE_FILE, TASK_FILE, read_bytes, read_toml_source
@@ -79,7 +80,7 @@ def setting_of(
     """Return the setting of a packed task; see `load_zip`."""
     with TemporaryDirectory(prefix="vrts-") as temporary:
         home = Path(temporary)
-        folder = home / "task"
+        folder = home / safe(bundle.manifest.name)  # as where it was packed: names are of folders
         for name, data in bundle.files.items():
             place = folder / name
             place.parent.mkdir(parents=True, exist_ok=True)

@@ -14,7 +14,8 @@ from vrts.pipeline.alone import robot_alone
 from vrts.pipeline.compiling.reading import ProgramFile, Reading
 from vrts.pipeline.controllers import with_controller
 from vrts.pipeline.execution import executed
-from vrts.pipeline.files import SCENARIO_FILE, TASK_FILE, read_bytes, task_beside
+from vrts.pipeline.files import SCENARIO_FILE, TASK_FILE, read_bytes
+from vrts.pipeline.finding.task_of import task_of
 from vrts.pipeline.request import Request
 from vrts.pipeline.setting import Setting
 from vrts.pipeline.settings import setting_for
@@ -84,7 +85,7 @@ def _read(asked: Asked, program: Path, setting: Setting) -> list[Path]:
     """Return the files that a session is made of."""
     found = [program, *asked.others]
     where = asked.where
-    task = where.task or (task_beside(program) if where.scene is None else None)
+    task = where.task or (task_of(program) if where.scene is None else None)
     if task is not None:
         folder = task if task.is_dir() else task.parent
         found += [folder / TASK_FILE if task.is_dir() else task, folder / SCENARIO_FILE]

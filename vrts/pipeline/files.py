@@ -90,15 +90,6 @@ def find_example(name: str) -> Path | None:
     return None
 
 
-def task_beside(program: Path) -> Path | None:
-    """Return the file of the task that a program is verified against where nothing else is said."""
-    beside = program.parent
-    for folder in (beside, beside.parent if beside.name == "submissions" else beside):
-        if (folder / TASK_FILE).is_file():
-            return folder / TASK_FILE
-    return None
-
-
 def read_bytes(path: Path) -> bytes:
     """Return the bytes of a file.
 

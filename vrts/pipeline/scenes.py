@@ -4,6 +4,7 @@ import hashlib
 from dataclasses import replace
 from pathlib import Path
 
+from vrts.base.safe_names import safe
 from vrts.base.source import SourceFile
 from vrts.ir.system import PARAMETERS
 from vrts.pipeline.alone import robot_alone
@@ -33,7 +34,7 @@ def load_scene(
     path = find_scene(name, beside)
     source = read_toml_source(path, home)
     # the name of a scene depends neither on the working folder nor on how its path was typed
-    named = scene_name(str(path.resolve())) if home is None else None
+    named = safe(scene_name(str(path.resolve()))) if home is None else None
     if lab is None:
         scene, found = read_scene(source, path.parent, name=named)
     else:

@@ -4,6 +4,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from vrts.base.diagnostic import Diagnostic
+from vrts.base.safe_names import safe
 from vrts.check.task.manifest import (
     altered,
     announced,
@@ -25,8 +26,8 @@ from vrts.pipeline.files import (
     TASK_FILE,
     read_bytes,
     read_toml_source,
-    task_beside,
 )
+from vrts.pipeline.finding.task_of import task_of
 from vrts.pipeline.scenes import load_scene, with_scenario
 from vrts.pipeline.setting import Setting, Sources, accepted
 from vrts.pipeline.where import ANYWHERE, Where
@@ -73,13 +74,13 @@ def load_task(
         stamps, more, is_whole = altered(packed), announced(manifest), not for_students(manifest)
     if named is not None and (lab is not None or scene not in (None, named)):
         stamps += other_scene(load_scene(named, folder, home, its_lab).scene, setting.scene)
-    hidden = 0
+    hidden, name = 0, safe(folder.resolve().name or "task")  # the same wherever one stands
     if staff and (folder / STAFF / TASK_FILE).is_file():
         staff_source = read_toml_source(folder / STAFF / TASK_FILE, home)
-        task, counts, found = read_whole_task(source, staff_source, setting.scene)
+        task, counts, found = read_whole_task(source, staff_source, setting.scene, name)
         hidden = sum(counts.values())
     else:
-        task, found = read_task(source, setting.scene)
+        task, found = read_task(source, setting.scene, name)
     read = accepted(task, found)
     if proof_is_hidden(read, source):
         if staff and is_whole:
@@ -140,7 +141,8 @@ def _packed_files(folder: Path) -> dict[str, bytes]:
 def setting_for(program: Path | None, where: Where = ANYWHERE) -> Setting | None:
     """Return the setting that a program is verified in; None when nothing tells which.
 
-    The task is the one given, else `task.toml` beside the program, unless a scene is asked for.
+    The task is the one given, else the one that the program belongs to, unless a scene is asked
+    for; see `finding.task_of`.
     Scenario, lab and controller are those given, else the task's.
     """
     scene, task, scenario, lab, controller = where
@@ -150,7 +152,7 @@ def setting_for(program: Path | None, where: Where = ANYWHERE) -> Setting | None
     if scene is not None:
         setting = with_controller(load_scene(scene, beside, lab=lab), controller)
         return setting if scenario is None else with_scenario(setting, scenario)
-    found = None if program is None else task_beside(program)
+    found = None if program is None else task_of(program)
     if found is None:
         return None
     return with_controller(load_task(found, scenario=scenario, lab=lab), controller)

@@ -128,7 +128,7 @@ def test_places_in_a_packed_task_name_no_folder_of_this_machine(folder: Path) ->
     assert setting.task is not None
     spans = [setting.task.goals[0].span, setting.task.vias[0].span]
     names = [span.source.name for span in spans if span is not None]
-    assert names == ["task/task.toml", "task/staff/task.toml"]
+    assert names == ["lab/task.toml", "lab/staff/task.toml"]
 
 
 def test_a_changed_scene_or_task_is_stamped(folder: Path) -> None:

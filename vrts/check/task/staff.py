@@ -30,9 +30,18 @@ class WholeTask(NamedTuple):
     diagnostics: tuple[Diagnostic, ...]
 
 
-def read_whole_task(public: SourceFile, staff: SourceFile, scene: Scene) -> WholeTask:
-    """Return a task with its hidden part; spans and diagnostics point into the right file."""
-    open_part, found = read_task(public, scene)
+def read_whole_task(
+    public: SourceFile, staff: SourceFile, scene: Scene, name: str | None = None
+) -> WholeTask:
+    """Return a task with its hidden part; spans and diagnostics point into the right file.
+
+    Args:
+        public: What students have of it.
+        staff: What is hidden from them.
+        scene: What the task is done in.
+        name: As for `read_task`.
+    """
+    open_part, found = read_task(public, scene, name)
     if open_part is None:
         return WholeTask(None, {}, found)
     top, problems = read_toml(staff)
@@ -52,7 +61,7 @@ def read_whole_task(public: SourceFile, staff: SourceFile, scene: Scene) -> Whol
     if problems.any_error:
         return WholeTask(None, {}, problems.in_order())
     home = Appended(public, staff)
-    task, told = read_task(home.joined, scene)
+    task, told = read_task(home.joined, scene, name)
     moved = tuple(home.diagnostic(d) for d in told)
     return WholeTask(None if task is None else _task(task, home), hidden if task else {}, moved)
 

@@ -30,21 +30,35 @@ ASKS = ("goal", "relation", "via", "zone", "upright", "limit", "rule", "prove") 
 NEAR_MISS_MM = 1.0, 50.0  # least and most of `near_miss_mm`
 
 
-def read_task(source: SourceFile, scene: Scene) -> tuple[Task | None, tuple[Diagnostic, ...]]:
-    """Return the task a file describes, or None, with everything there is to say about it."""
+def read_task(
+    source: SourceFile, scene: Scene, name: str | None = None
+) -> tuple[Task | None, tuple[Diagnostic, ...]]:
+    """Return the task a file describes, or None, with everything there is to say about it.
+
+    Args:
+        source: The file.
+        scene: What the task is done in.
+        name: Of the task; None: the folder's, as the source's name shows it.
+    """
     top, problems = read_toml(source)
-    task = None if top is None else _task(top, problems, source, scene)
+    named = name or _folder_shown(source)
+    task = None if top is None else _task(top, problems, source, scene, named)
     if problems.any_error:
         task = None
     return task, problems.in_order()
 
 
-def _task(top: Table, problems: Problems, source: SourceFile, scene: Scene) -> Task | None:
+def _folder_shown(source: SourceFile) -> str:
+    folder = [part for part in re.split(r"[/\\]", source.name) if part]
+    return folder[-2] if len(folder) > 1 else "task"
+
+
+def _task(
+    top: Table, problems: Problems, source: SourceFile, scene: Scene, name: str
+) -> Task | None:
     section = top.table("task", required=True)
     if section is None:
         return None
-    folder = [part for part in re.split(r"[/\\]", source.name) if part]
-    name = folder[-2] if len(folder) > 1 else "task"
     title = section.string("title", name)
     scene_name = section.string("scene", required=True) or ""
     section.string("lab")  # for `task_places`

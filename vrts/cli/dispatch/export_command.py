@@ -24,7 +24,7 @@ from vrts.cli.shared.options import (
     scene_option,
     task_option,
 )
-from vrts.cli.shared.programs import given_program
+from vrts.cli.shared.programs import given_program, no_setting
 from vrts.pipeline.where import Where
 
 if TYPE_CHECKING:
@@ -104,7 +104,7 @@ def command(
     path = given.path
     setting = setting_for(path, where)
     if setting is None:
-        fail("nothing says in which scene to verify the program", ("give `--scene NAME`",))
+        no_setting(path, "to verify the program")
     if target == LINUXCNC:
         _linuxcnc(verify_request(given, setting, language, entry=entry), path, place, color)
     if target == ROS:

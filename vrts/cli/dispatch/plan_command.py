@@ -9,7 +9,6 @@ import click
 from vrts.cli.shared.console import (
     HOLDS,
     WRONG,
-    fail,
     guarded,
     say,
     show_diagnostics,
@@ -28,7 +27,7 @@ from vrts.cli.shared.options import (
     placed,
     with_option,
 )
-from vrts.cli.shared.programs import given_program
+from vrts.cli.shared.programs import given_program, no_setting, tell_task
 from vrts.pipeline.where import Where
 
 if TYPE_CHECKING:
@@ -197,12 +196,10 @@ def _settings(
     """Return what to verify in, one setting for each scenario."""
     from vrts.assignments.packed import found_setting
 
+    tell_task(path, where)
     places = [where._replace(scenario=scenario) for scenario in scenarios or (None,)]
     found = [found_setting(path, place) for place in places]
     settings = tuple(setting for setting in found if setting is not None)
     if not settings:
-        fail(
-            "nothing says in which scene to verify the program: there is no task.toml beside it",
-            ("give `--scene NAME` or `--task FILE`",),
-        )
+        no_setting(path, "to verify the program")
     return settings

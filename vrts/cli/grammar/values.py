@@ -1,8 +1,53 @@
-"""What may stand for a parameter, by its name: for completion, and for a word in `--help`."""
+"""What may stand for a parameter, by its name: resolved once, here, before any command sees it."""
+
+from pathlib import Path
+from typing import Any
 
 import click
 
+from vrts.cli.shared.console import fail
+
+PROGRAM_ENDINGS = (".v2", ".val", ".val2", ".pg", ".as")
+PROGRAMS = ("program", "programs")  # names of parameters
+
+
+class ProgramFile(click.ParamType[Any]):
+    """The file of a program; a folder stands for the only program in it."""
+
+    name = "program"
+
+    def __init__(self, kind: "click.ParamType[Any]") -> None:
+        """Take the kind of value that the command wants."""
+        self._kind = kind
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Return the program's file as the command wants it."""
+        if isinstance(value, str) and Path(value).is_dir():
+            value = str(_program_in(Path(value)))
+        return self._kind.convert(value, param, ctx)
+
 
 def completed(param: click.Parameter) -> click.Parameter:
-    """Return a parameter whose values a shell can complete."""
+    """Return a parameter whose values are resolved, and that a shell can complete."""
+    is_argument = isinstance(param, click.Argument)
+    if is_argument and param.name in PROGRAMS and not isinstance(param.type, ProgramFile):
+        param.type = ProgramFile(param.type)
     return param
+
+
+def _program_in(folder: Path) -> Path:
+    """Return the only program in a folder, or say which there are."""
+    found = sorted(
+        path
+        for path in folder.iterdir()
+        if path.suffix.lower() in PROGRAM_ENDINGS and path.is_file() and path.name[0] != "."
+    )
+    if len(found) == 1:
+        return found[0]
+    if not found:
+        fail(f"there is no program in `{folder}`", ("name the file of a program",))
+    names = ", ".join(f"`{path.name}`" for path in found[:9])
+    return fail(
+        f"there are several programs in `{folder}`: {names}",
+        ("name one of them", f"`vrts grade {folder}` marks what was handed in for a task"),
+    )

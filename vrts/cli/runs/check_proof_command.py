@@ -15,7 +15,7 @@ from vrts.cli.shared.options import (
     scene_option,
     task_option,
 )
-from vrts.cli.shared.programs import given_program
+from vrts.cli.shared.programs import given_program, no_setting
 from vrts.pipeline.files import read_bytes, shown
 from vrts.pipeline.where import Where
 
@@ -99,7 +99,7 @@ def _simulated(program: str, where: Where, language: Language) -> "Simulated":
     given = given_program(program)
     setting = found_setting(given.path, where)
     if setting is None:
-        fail("nothing says in which scene the program runs", ("give `--scene` or `--task`",))
+        no_setting(given.path, "the program runs")
     return simulate(verify_request(given, setting, language))
 
 

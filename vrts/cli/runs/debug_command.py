@@ -20,6 +20,7 @@ from vrts.cli.shared.options import (
     task_option,
     with_option,
 )
+from vrts.cli.shared.programs import tell_task
 from vrts.pipeline.where import Where
 
 EPILOG = """\b
@@ -57,6 +58,7 @@ def command(
 
     if not (sys.stdin.isatty() and sys.stdout.isatty()):
         fail("debugging needs a terminal", ("editors use `vrts dap`",))
+    tell_task(program, where)
     asked = Asked(program, where, entry, tuple(map(Path, others)), dialect)
     found = opened(asked)
     if found.debugger is None or found.console is None:

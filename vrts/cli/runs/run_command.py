@@ -25,7 +25,7 @@ from vrts.cli.shared.options import (
     overwrite_option,
     scenario_option,
 )
-from vrts.cli.shared.programs import Given, given_program
+from vrts.cli.shared.programs import Given, given_program, task_is_beside
 from vrts.pipeline.where import Where
 
 if TYPE_CHECKING:
@@ -154,7 +154,7 @@ def _simulated(
     from vrts.run_files.simulated import simulate
 
     request = run_request_beside(given, where, language, entry)
-    _say_where(request.setting, where)
+    _say_where(request.setting, where, given)
     found = simulate(request)
     scenario = request.setting.scenario
     warnings = () if scenario is None else scenario.warnings
@@ -162,12 +162,13 @@ def _simulated(
     return found
 
 
-def _say_where(setting: "Setting", where: Where) -> None:
+def _say_where(setting: "Setting", where: Where, given: Given) -> None:
     """Say what nobody asked for by name: the task beside the program, or a robot without a tool."""
     if where.scene is not None or where.task is not None:
         return
     if setting.task is not None:
-        say(f"in the scene `{setting.scene.name}`, as the task beside the program has it")
+        whose = "the task beside the program" if task_is_beside(given.path) else "that task"
+        say(f"in the scene `{setting.scene.name}`, as {whose} has it")
     else:
         arm = setting.scene.robot.arm.title
         say(f"no scene: a bare {arm} with no tool; `--scene NAME` or a `task.toml` beside it")

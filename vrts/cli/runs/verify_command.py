@@ -2,7 +2,7 @@
 
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING, NoReturn
+from typing import TYPE_CHECKING
 
 import click
 
@@ -28,7 +28,7 @@ from vrts.cli.shared.options import (
     no_collisions_option,
     scenario_option,
 )
-from vrts.cli.shared.programs import given_program
+from vrts.cli.shared.programs import given_program, no_setting
 from vrts.pipeline.where import Where
 
 if TYPE_CHECKING:
@@ -106,7 +106,7 @@ def command(
     given = given_program(program)
     setting = found_setting(given.path, where)
     if setting is None:
-        _no_setting()
+        no_setting(given.path, "to verify the program")
     if where.scenario is not None and setting.scenario is not None:
         show_diagnostics(setting.scenario.warnings, color)
     with by_name(engine, asked=not no_collisions) as by:
@@ -191,12 +191,3 @@ def status_of(found: "Assessment") -> int:
     return {Answer.HOLDS: HOLDS, Answer.VIOLATED: WRONG, Answer.UNDETERMINED: UNDETERMINED}[
         found.judgement.answer
     ]
-
-
-def _no_setting() -> NoReturn:
-    from vrts.pipeline.files import scene_names
-
-    fail(
-        "nothing says in which scene to verify the program: there is no task.toml beside it",
-        ("give `--scene NAME` or `--task FILE`", f"scenes: {', '.join(scene_names())}"),
-    )

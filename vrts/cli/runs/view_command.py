@@ -20,6 +20,7 @@ from vrts.cli.shared.options import (
     scene_option,
     task_option,
 )
+from vrts.cli.shared.programs import tell_task
 from vrts.cli.shared.run_page import AGAIN, assessed, open_page, write_page
 from vrts.pipeline.where import ANYWHERE, Where
 
@@ -40,7 +41,7 @@ Examples:
 
 
 @click.command(name="view", epilog=EPILOG)
-@click.argument("file", type=click.Path(path_type=Path))
+@click.argument("program", metavar="FILE", type=click.Path(path_type=Path))
 @scene_option(TASK_OR_ALONE)
 @task_option()
 @controller_option
@@ -52,7 +53,7 @@ Examples:
 @guarded
 @placed
 def command(
-    file: Path,
+    program: Path,
     where: Where,
     viewer: str,
     still: float | None,
@@ -65,6 +66,7 @@ def command(
     FILE is a program, a run that `vrts run --save` has written (.vrun), or a recording (.rrd),
     which the Rerun viewer shows as it is.
     """
+    file = program
     if file.suffix in (RECORDING, RUN) and where != ANYWHERE:
         fail(f"the scene of `{file.name}` is in it", ("leave out `--scene` and `--task`",))
     if file.suffix == RECORDING:
@@ -93,6 +95,7 @@ def _of_program(file: Path, where: Where, curve: bool) -> "Assessment":
     from vrts.pipeline.requesting import request_for
     from vrts.pipeline.settings import setting_for
 
+    tell_task(file, where)
     setting = setting_for(file, where) or with_controller(robot_alone(), where.controller)
     return assess(request_for(file, setting=setting, checks=Checks(curve=curve, causes=True)))
 

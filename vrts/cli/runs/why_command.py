@@ -11,7 +11,7 @@ from vrts.cli.shared.options import (
     form_option,
     scenario_option,
 )
-from vrts.cli.shared.programs import given_program
+from vrts.cli.shared.programs import given_program, no_setting
 from vrts.pipeline.where import Where
 
 EPILOG = """\b
@@ -69,10 +69,7 @@ def command(
     given = given_program(program)
     setting = found_setting(given.path, where)
     if setting is None:
-        fail(
-            "nothing says in which scene to ask: there is no task.toml beside the program",
-            ("give `--scene NAME` or `--task FILE`",),
-        )
+        no_setting(given.path, "to ask")
     found = assess(verify_request(given, setting, language, checks=Checks(causes=True)))
     level = told_to(found, Audience(reader))
     try:

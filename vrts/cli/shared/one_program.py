@@ -1,6 +1,8 @@
 """What commands have in common that run one program in its scene: `run`, `verify`, others."""
 
 from collections.abc import Callable
+from functools import wraps
+from pathlib import Path
 from typing import Any, TypeVar
 
 import click
@@ -15,6 +17,9 @@ from vrts.cli.shared.options import (
     scene_option,
     task_option,
 )
+from vrts.cli.shared.programs import STDIN, tell_task
+
+SAVED = ".vrun"  # a run: where it happened is in it
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 
@@ -35,9 +40,20 @@ def of_one_program(scene: str, *, packed: bool = False) -> Callable[[Command], C
     return decorated
 
 
+def _telling_task(function: Command) -> Command:
+    @wraps(function)
+    def wrapped(*args: Any, **kwargs: Any) -> Any:
+        program = kwargs.get("program")
+        if program is not None and program != STDIN and not program.endswith(SAVED):
+            tell_task(Path(program), kwargs["where"])
+        return function(*args, **kwargs)
+
+    return wrapped  # type: ignore[return-value]
+
+
 def executed_so(function: Command) -> Command:
     """Add how a program is executed and read: last in `--help`. The command takes a `where`."""
-    found: Any = guarded(placed(function))
+    found: Any = guarded(placed(_telling_task(function)))
     for option in (color_option, language_options, controller_option, lab_option):
         found = option(found)
     return found

@@ -1,0 +1,1 @@
+"""Tests of finding the task of a program."""
