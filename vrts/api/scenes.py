@@ -21,6 +21,9 @@ from vrts.report.scene_drawing import scene_svg
 from vrts.report.screen.scene_text import scene_text
 
 
+DECIMALS = 6  # of mm and degrees
+
+
 class Location(NamedTuple):
     """Where a tool or a thing is, as VAL-II says it: in the frame of the robot's shoulder."""
 
@@ -33,8 +36,8 @@ class Location(NamedTuple):
 
 
 def location_of(X_WT: Pose) -> Location:
-    """Return a pose as VAL-II says it."""
-    return Location(*components(X_WT))
+    """Return a pose as VAL-II says it, to the nanometre."""
+    return Location(*(round(number, DECIMALS) + 0.0 for number in components(X_WT)))
 
 
 @dataclass(frozen=True, slots=True)
