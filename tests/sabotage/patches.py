@@ -3048,4 +3048,25 @@ PATCHES: tuple[Patch, ...] = (
         "ticks = round((",
         ("tests/unit/validate/identify/test_chosen.py",),
     ),
+    Patch(
+        "rare words of a question count no more than frequent ones",
+        "vrts/ask/search.py",
+        "rarity = math.log(1 + len(self.pages) / (len(known) + 0.5))",
+        "rarity = 1.0 + 0.0 * math.log(1 + len(self.pages) / (len(known) + 0.5))",
+        ("tests/unit/ask/test_questions.py",),
+    ),
+    Patch(
+        "words of other robot languages are not known to the search",
+        "vrts/ask/terms.py",
+        'worth["=" + own.lower()] = ELSEWHERE',
+        'worth["=" + own.lower()] = 0.0',
+        ("tests/unit/cli/language/test_manual_asked.py", "tests/unit/ask/test_search.py"),
+    ),
+    Patch(
+        "how to find out on the robot is not told",
+        "vrts/ask/assumed.py",
+        'rule.fields.get("On the robot", "")',
+        'rule.fields.get("Nowhere", "")',
+        ("tests/unit/ask/test_assumed.py",),
+    ),
 )

@@ -12,7 +12,16 @@ from vrts.ir.commands import Abort, AbortProcess, Answer
 from vrts.lang.typed.commands import CommandLine, read_command
 from vrts.lang.vocabulary.commands import IDLE_ONLY
 from vrts.monitor import words
-from vrts.monitor.commands import editor, execution, files, showing, teaching, texts, values
+from vrts.monitor.commands import (
+    editor,
+    execution,
+    files,
+    helping,
+    showing,
+    teaching,
+    texts,
+    values,
+)
 from vrts.monitor.desk import Desk, Mode, Refused, Situation, Turn, executes
 from vrts.monitor.folder import CannotUse
 
@@ -44,6 +53,7 @@ HANDLERS: dict[str, Handler] = {
     "FLIST": files.show_file,
     "FREE": showing.free,
     "FRENAME": files.rename_file,
+    "HELP": helping.help_with,
     "HERE": values.here,
     "ID": showing.identify,
     "IO": showing.signals,

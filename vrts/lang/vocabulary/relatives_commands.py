@@ -52,7 +52,7 @@ _OF_AS: tuple[_Group, ...] = (
     ),
     (
         "show the words of the language",
-        "HELP HELP/DO HELP/F HELP/M HELP/MC HELP/P HELP/PPC HELP/SW",
+        "HELP/DO HELP/F HELP/M HELP/MC HELP/P HELP/PPC HELP/SW",
     ),
     (
         "set up the controller",
