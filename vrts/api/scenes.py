@@ -20,7 +20,6 @@ from vrts.pipeline.settings import load_task
 from vrts.report.scene_drawing import scene_svg
 from vrts.report.screen.scene_text import scene_text
 
-
 DECIMALS = 6  # of mm and degrees
 
 

@@ -44,7 +44,7 @@ def test_an_assessment_shows_its_top_and_the_replay_in_a_frame_of_its_own() -> N
     assert 'id="replay"' in inner
     assert 'id="data"' in inner
     assert "Content-Security-Policy" in inner
-    assert 'id="charts"' not in inner
+    assert 'id="contacts"' not in inner
 
 
 def test_what_does_not_compile_shows_its_top() -> None:
