@@ -960,7 +960,7 @@ PATCHES: tuple[Patch, ...] = (
         "a reader takes a key that its schema does not know",
         "vrts/scene/reading/scenario_operator.py",
         "    table.finish()\n    return None if time_s",
-        "    table.string(\"note\")\n    table.finish()\n    return None if time_s",
+        '    table.string("note")\n    table.finish()\n    return None if time_s',
         ("tests/unit/schemas/test_written.py",),
     ),
     Patch(
