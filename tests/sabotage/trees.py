@@ -11,7 +11,10 @@ from typing import NamedTuple
 from tests.sabotage import warm
 from tests.sabotage.patches import Patch
 
-COPIED = ("vrts", "tests", "examples", "scenes", "pyproject.toml", "README.md")
+COPIED = (
+    *("vrts", "tests", "examples", "scenes", "pyproject.toml"),
+    *("README.md", "CHANGELOG.md", "CITATION.cff", ".github"),
+)
 COMPILED = "__pycache__"
 SECONDS = 300  # for the tests of a patch
 ALL_SECONDS = 1800  # for those of all patches
