@@ -1,6 +1,7 @@
 """The wheel of vrts, installed in an environment and a folder of its own, outside the checkout.
 
-Dependencies come from the environment of the tests, by a path; vrts itself does not.
+Dependencies come from the environment of the tests, by a path; vrts itself does not. A wheel that
+is built already is taken where the variable VRTS_WHEEL names it.
 """
 
 import os
@@ -64,7 +65,8 @@ def installed() -> Installed:
     folder = TemporaryDirectory(prefix="vrts-wheel-")
     _kept.append(folder)
     place = Path(folder.name)
-    wheel = build_wheel(place)
+    built = os.environ.get("VRTS_WHEEL")
+    wheel = build_wheel(place) if built is None else Path(built)
     home = place / "env"
     venv.create(home, with_pip=False)
     pip = [sys.executable, "-m", "pip", "--python", str(home / "bin" / "python"), "install"]

@@ -73,8 +73,8 @@ def program(name: Path, origin: str | None, color: str) -> None:
 def lab(name: Path, color: str) -> None:
     """Write the file NAME with the measures of a robot, a hand and a table.
 
-    Laid over a scene by `--lab NAME`, or by `lab = "NAME"` in a task, its numbers take the place of
-    the scene's: so any scene is that of your own laboratory.
+    With `--lab NAME`, or `lab = "NAME"` in a task, its numbers replace those of the scene. So you
+    can use any scene with the measures of your own laboratory.
     """
     from vrts.assignments.new_lab import LAB
 

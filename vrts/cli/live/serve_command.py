@@ -98,9 +98,9 @@ def command(
     guest by browser and name. A class code lets in whoever knows it: another browser and another
     name are another guest. Where that matters, use `--no-code`, accounts and join links.
 
-    However it ends, by kill -9 too: started again with the same folder, every room goes on where it
-    was, with arm and programs stopped. What was done is done again from the log, exactly; where
-    that cannot be, for another scene or a purged user, the room begins again and is told why.
+    After a crash, start it with the same folder. Every room goes on where it was, with arm and
+    programs stopped: what was done is done again from the log, exactly. Where that cannot be, for
+    another scene or a purged user, the room begins again and is told why.
 
     A session can be rewound to any moment and saved as a program, however long ago: what is older
     than ten minutes goes to a file, the oldest of it first when `--history-quota` is reached. The
