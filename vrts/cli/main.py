@@ -77,6 +77,7 @@ SECTIONS = {  # heading: name: where it is, what it does
         "manual": ("language.manual_command", "open the manual in the browser"),
         "explain": ("language.explain_command", "explain diagnostic codes"),
         "support": ("language.support_command", "show the words of the language"),
+        "completion": ("completion_command", "let Bash, Zsh or Fish complete what you type"),
         "schema": ("schema_command", "print the JSON Schema of result files"),
     },
 }

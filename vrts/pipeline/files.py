@@ -4,6 +4,8 @@ A file that is not there is a wrong call and raises `CannotRead`.
 """
 
 import re
+import sys
+from difflib import get_close_matches
 from pathlib import Path
 
 from vrts.base.source import SourceFile
@@ -17,6 +19,7 @@ TASK_FILE = "task.toml"
 STAFF = "staff"  # folder beside a task: what students do not get
 MANIFEST_FILE = "manifest.json"  # of a packed task, also after unpacking
 SCENARIO_FILE = "scenario.toml"  # beside a task: how its runs begin, and what happens in them
+STDIN = "-"  # in place of the name of a file that is read
 MAX_TOML = 1_000_000  # bytes
 
 
@@ -54,6 +57,8 @@ def find_scene(name: str, beside: Path | None = None) -> Path:
     Raises:
         CannotRead: There is no such scene.
     """
+    if name == STDIN:
+        return Path(STDIN)
     folders = [folder for folder in (beside, Path.cwd()) if folder is not None]
     for folder in folders:
         for candidate in (folder / name, folder / name / SCENE_FILE):
@@ -63,7 +68,9 @@ def find_scene(name: str, beside: Path | None = None) -> Path:
         candidate = folder / "scenes" / name / SCENE_FILE
         if re.fullmatch(r"[\w.-]+", name) and candidate.is_file():
             return candidate
-    raise CannotRead(f"there is no scene `{name}`", (f"scenes: {', '.join(scene_names())}",))
+    known = scene_names()
+    close = [f"did you mean `{near}`?" for near in get_close_matches(name, known, 1, 0.6)]
+    raise CannotRead(f"there is no scene `{name}`", (*close, f"scenes: {', '.join(known)}"))
 
 
 def example_names() -> tuple[str, ...]:
@@ -91,11 +98,13 @@ def find_example(name: str) -> Path | None:
 
 
 def read_bytes(path: Path) -> bytes:
-    """Return the bytes of a file.
+    """Return the bytes of a file; `-` is stdin.
 
     Raises:
         CannotRead: It is not there, is a folder, or may not be read.
     """
+    if str(path) == STDIN:
+        return sys.stdin.buffer.read()
     try:
         return path.read_bytes()
     except OSError as problem:
@@ -124,6 +133,8 @@ def read_toml_source(path: Path, home: Path | None = None) -> SourceFile:
 
 def shown(path: Path, home: Path | None = None) -> str:
     """Return a path as diagnostics show it: relative to the working folder where it is inside."""
+    if str(path) == STDIN:
+        return "stdin"
     try:
         return str(path.resolve().relative_to(Path.cwd() if home is None else home.resolve()))
     except ValueError:

@@ -8,9 +8,9 @@ import click
 
 from vrts.cli.shared.console import (
     HOLDS,
+    STDOUT,
     WRONG,
     fail,
-    out,
     say,
     show_diagnostics,
     write_file,
@@ -117,8 +117,8 @@ def command(
     if found.text is None:
         sys.exit(WRONG)
     assert found.difference is not None
-    if place == "-" or (place is None and path is None):
-        out(found.text, end=False)
+    if place == STDOUT or (place is None and path is None):
+        write_file(Path(STDOUT), found.text.encode())
     else:
         written = (
             default_name(path or Path(given.program.name), target) if place is None else Path(place)
@@ -203,7 +203,7 @@ def _ros(request: "Request", path: Path | None, place: str | None, color: str) -
 
 def _folder(request: "Request", path: Path | None, place: str | None, target: str) -> Path:
     """Return the folder to write: the one that was given, or one beside the program."""
-    if place == "-":
+    if place == STDOUT:
         fail(f"a folder is written for {target}", ("give its name to `-o`",))
     stem = Path(request.program.name).stem if path is None else str(path.with_suffix(""))
     return Path(f"{stem}-{target}" if place is None else place)

@@ -30,6 +30,8 @@ class GradeGroup(LazyGroup):
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         """Put in the name of the subcommand that is left out."""
+        if ctx.resilient_parsing and not args:  # a shell asks what may be typed
+            return super().parse_args(ctx, args)
         if not args or (args[0] not in SUBCOMMANDS and args[0] != MARK):
             of_sessions = any(word.split("=")[0] == f"--{SESSION}" for word in args)
             args = [SESSION if of_sessions else MARK, *args]

@@ -10,6 +10,10 @@ from vrts.cli.shared.console import fail
 if TYPE_CHECKING:
     from vrts.marking.submission.setting import Place
 
+SUBCOMMANDS = (  # what a first word may be, beside a task
+    *("intake", "plan", "run", "merge", "export", "init", "evidence", "reproduce", "diff"),
+    *("change", "session"),
+)
 NAME_THEM = "name files, a folder or a zip after the task"
 
 
@@ -56,5 +60,7 @@ def _no_task(task: str, folder: Path | None) -> None:
     known = example_names()
     ending = [name for name in known if name.partition("-")[2] == task]
     close = ending or get_close_matches(task, known, 1, 0.6)
+    word = get_close_matches(task, SUBCOMMANDS, 1, 0.6)
     hints = (f"did you mean the example `{close[0]}`?",) if close else ()
+    hints = (f"did you mean `vrts grade {word[0]}`?",) if word else hints
     fail(f"there is no task `{task}`", (*hints, f"examples: {', '.join(known)}"))

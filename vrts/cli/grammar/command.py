@@ -6,8 +6,9 @@ from typing import Any
 import click
 
 from vrts.cli.grammar.old_names import VALUES, options_before, tell
+from vrts.cli.grammar.outputs import require_outputs
 from vrts.cli.grammar.values import completed
-from vrts.cli.shared.console import COLOR, QUIET
+from vrts.cli.shared.console import ASIDE, COLOR, QUIET
 from vrts.cli.shared.options import color_option
 
 FORM, JSON = "--format", "--json"
@@ -33,6 +34,11 @@ class Command(click.Command):
                     if option in renamed:
                         tell(renamed.pop(option))
         return super().parse_args(ctx, args)
+
+    def invoke(self, ctx: click.Context) -> Any:
+        """Carry out the command, if what it is to write can be written."""
+        ctx.meta[ASIDE] = require_outputs(self, ctx.params)
+        return super().invoke(ctx)
 
     def _renamed(self) -> tuple[Any, ...]:
         options = [p for p in self.params if isinstance(p, click.Option)]
@@ -88,7 +94,7 @@ def _params(command: click.Command) -> list[click.Parameter]:
     names = {name for param in command.params for name in param.opts}
     found: list[click.Parameter] = []
     for param in command.params:
-        found.append(completed(param))
+        found.append(completed(param, command.name or ""))
         if FORM in param.opts and isinstance(param.type, click.Choice):
             forms = [str(form) for form in param.type.choices]
             param.type = Form(forms)

@@ -3,11 +3,14 @@
 import importlib
 from collections.abc import Iterable, Mapping
 from difflib import get_close_matches
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 import click
 
 from vrts.cli.grammar.command import spoken
+
+if TYPE_CHECKING:
+    from click.shell_completion import CompletionItem
 
 
 def near(word: str, known: Iterable[str]) -> str | None:
@@ -62,6 +65,19 @@ class LazyGroup(Group):
         if name not in self.list_commands(ctx):
             return None
         return importlib.import_module(f"{self.folder}.{name}_command").command
+
+    def shell_complete(self, ctx: click.Context, incomplete: str) -> "list[CompletionItem]":
+        """Return the commands without importing them, and options; or leave it to files."""
+        from click.shell_completion import CompletionItem
+
+        found = [
+            CompletionItem(name, help=says)
+            for section in self.sections.values()
+            for name, says in section.items()
+            if name.startswith(incomplete)
+        ]
+        found += click.Command.shell_complete(self, ctx, incomplete)
+        return found or [CompletionItem(incomplete, type="file")]
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """List the commands without importing them."""

@@ -1,11 +1,15 @@
 """What may stand for a parameter, by its name: resolved once, here, before any command sees it."""
 
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
+from vrts.cli.grammar.completing import offering
 from vrts.cli.shared.console import fail
+
+if TYPE_CHECKING:
+    from click.shell_completion import CompletionItem
 
 PROGRAM_ENDINGS = (".v2", ".val", ".val2", ".pg", ".as")
 PROGRAMS = ("program", "programs")  # names of parameters
@@ -26,13 +30,21 @@ class ProgramFile(click.ParamType[Any]):
             value = str(_program_in(Path(value)))
         return self._kind.convert(value, param, ctx)
 
+    def shell_complete(
+        self, ctx: click.Context, param: click.Parameter, incomplete: str
+    ) -> "list[CompletionItem]":
+        """Let the shell complete a file."""
+        from click.shell_completion import CompletionItem
 
-def completed(param: click.Parameter) -> click.Parameter:
-    """Return a parameter whose values are resolved, and that a shell can complete."""
+        return [CompletionItem(incomplete, type="file")]
+
+
+def completed(param: click.Parameter, command: str) -> click.Parameter:
+    """Return a parameter of a command; its values are resolved, and a shell can complete it."""
     is_argument = isinstance(param, click.Argument)
     if is_argument and param.name in PROGRAMS and not isinstance(param.type, ProgramFile):
         param.type = ProgramFile(param.type)
-    return param
+    return offering(param, command)
 
 
 def _program_in(folder: Path) -> Path:

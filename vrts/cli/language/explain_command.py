@@ -12,29 +12,36 @@ EPILOG = """\b
 Examples:
   vrts explain
   vrts explain V301
-  vrts explain joint-speed
+  vrts explain joint-speed V400
   vrts explain --assumptions
 """
 
 
 @click.command(name="explain", epilog=EPILOG)
-@click.argument("code", required=False)
+@click.argument("codes", metavar="[CODE]...", nargs=-1)
 @click.option(
     "--assumptions",
     is_flag=True,
     help="Tell what had to be assumed: what, how much, why, how to find out.",
 )
 @guarded
-def command(code: str | None, assumptions: bool) -> None:
-    """Explain a diagnostic by its CODE or name; without one, list them all."""
+def command(codes: tuple[str, ...], assumptions: bool) -> None:
+    """Explain diagnostics by CODE or name; without one, list them all."""
     if assumptions:
         _list_assumptions()
         return
     pages = _pages()
-    if code is None:
+    if not codes:
         for key, slug in pages.items():
             out(f"{key}  {slug}")
         return
+    for number, key in enumerate([_key(code, pages) for code in codes]):
+        text = (files("vrts") / "pages" / f"{key}.md").read_text(encoding="utf-8")
+        out(f"\n{text}" if number else text, end=False)
+
+
+def _key(code: str, pages: dict[str, str]) -> str:
+    """Return the code that somebody means by it, or by its name."""
     by_slug = {slug: key for key, slug in pages.items()}
     key = code.upper() if code.upper() in pages else by_slug.get(code.lower())
     if key is None:
@@ -43,7 +50,7 @@ def command(code: str | None, assumptions: bool) -> None:
             f"there is no diagnostic `{code}`",
             (f"did you mean `{near[0]}`?",) if near else ("`vrts explain` lists all",),
         )
-    out((files("vrts") / "pages" / f"{key}.md").read_text(encoding="utf-8"), end=False)
+    return key
 
 
 def _list_assumptions() -> None:

@@ -9,6 +9,7 @@ import click
 
 from vrts.cli.shared.console import (
     HOLDS,
+    STDOUT,
     WRONG,
     fail,
     out,
@@ -100,7 +101,7 @@ def command(
     --speed tell the run line by line; on a terminal as fast as it happened, unless --speed is
     given.
     """
-    shows = [time_s is not None, statement is not None, table == "-"]
+    shows = [time_s is not None, statement is not None, table == STDOUT]
     shows.append(from_s is not None or to_s is not None or speed is not None)
     if sum(shows) > 1:
         fail("one of --at, --statement, --from/--to/--speed and --csv - is shown at a time")
@@ -109,7 +110,7 @@ def command(
     if speed and not SLOWEST <= abs(speed) <= FASTEST:
         fail(f"--speed is 0, or from {SLOWEST:g} to {FASTEST:g}, or the same backward")
     written = [
-        path for path in (save, mcap, Path(table) if table not in (None, "-") else None) if path
+        path for path in (save, mcap, Path(table) if table not in (None, STDOUT) else None) if path
     ]
     for path in written:
         if path.exists() and not overwrite:
@@ -142,7 +143,7 @@ def command(
         _show_state(run, time_s, statement)
     elif shows[-1]:
         _replay(run, _span(run, from_s, to_s, speed))
-    elif table != "-":
+    elif table != STDOUT:
         _show_output(run)
     sys.exit(WRONG if any(d.is_error for d in found.diagnostics) else HOLDS)
 
@@ -193,13 +194,9 @@ def _write_files(
     if table is not None:
         from vrts.report.formats.run_csv import run_csv
 
-        pieces = run_csv(run, rate)
-        if table == "-":
-            for piece in pieces:
-                out(piece, end=False)
-            return
-        write_file(Path(table), "".join(pieces).encode())
-        say(f"wrote {table}")
+        write_file(Path(table), "".join(run_csv(run, rate)).encode())
+        if table != STDOUT:
+            say(f"wrote {table}")
 
 
 def _check(found: "Simulated", name: str, color: str) -> None:

@@ -27,7 +27,8 @@ UNAVAILABLE = {
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 
-QUIET, COLOR = "vrts.quiet", "vrts.color"  # what was typed, in the context of click
+STDOUT = "-"  # in place of the name of a file that is written
+QUIET, COLOR, ASIDE = "vrts.quiet", "vrts.color", "vrts.aside"  # in the context of click
 
 
 class CannotSay(Exception):  # noqa: N818 -- names the situation
@@ -85,9 +86,10 @@ def _err(rendered: str) -> None:
 
 
 def out(text: str, *, end: bool = True) -> None:
-    """Write results to stdout, colours as given."""
-    with _told("stdout"):
-        click.echo(text, nl=end, color=True)
+    """Write results to stdout, colours as given; to stderr where a file goes to stdout."""
+    aside = bool(_typed(ASIDE, False))
+    with _told("stderr" if aside else "stdout"):
+        click.echo(text, nl=end, err=aside, color=True)
 
 
 def out_bytes(data: bytes) -> None:
@@ -180,8 +182,12 @@ def guarded(function: Command) -> Command:
 def write_file(path: Path, data: bytes) -> None:
     """Write a file whole or not at all, beside where it goes.
 
-    A link stays a link, a file keeps its mode and its owner, and a pipe or a device is written to.
+    `-` is stdout. A link stays a link, a file keeps its mode and its owner, and a pipe or a
+    device is written to.
     """
+    if str(path) == STDOUT:
+        out_bytes(data)
+        return
     if path.exists() and not path.is_file():
         path.write_bytes(data)
         return

@@ -6,7 +6,7 @@ from typing import Any, TypeVar
 
 import click
 
-from vrts.cli.shared.console import fail, guarded, out, say, write_file
+from vrts.cli.shared.console import STDOUT, fail, guarded, say, write_file
 from vrts.cli.shared.options import Language, color_option, language_options, overwrite_option
 from vrts.cli.validate.shared import run_of, setting_options
 from vrts.pipeline.where import Where
@@ -124,7 +124,7 @@ def command(
     """
     from vrts.validate.synthetic import Imperfect, synthetic_log
 
-    if output != "-" and Path(output).exists() and not overwrite:
+    if output != STDOUT and Path(output).exists() and not overwrite:
         fail(f"`{output}` is there already", ("give another name, or `--overwrite`",))
     run, name = run_of(program, where, entry, language, color)
     robot = Imperfect(
@@ -143,8 +143,6 @@ def command(
         rate_percent,
     )
     text = "".join(synthetic_log(run, robot, Path(name).name))
-    if output == "-":
-        out(text, end=False)
-        return
     write_file(Path(output), text.encode())
-    say(f"wrote {output}")
+    if output != STDOUT:
+        say(f"wrote {output}")

@@ -23,6 +23,8 @@ class ValidateGroup(LazyGroup):
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         """Put in the name of the subcommand that is left out."""
+        if ctx.resilient_parsing and not args:  # a shell asks what may be typed
+            return super().parse_args(ctx, args)
         if not args or (args[0] not in SUBCOMMANDS and args[0] != LOG):
             seen = any(word.split("=")[0] == f"--{CAMERA}" for word in args)
             args = [CAMERA if seen and CAMERA in SUBCOMMANDS else LOG, *args]
