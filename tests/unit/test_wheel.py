@@ -25,6 +25,9 @@ NEEDED = (
     "vrts/library/examples/01-cans-on-bases/solution.v2",
     "vrts/web/viewer/viewer.js",
     "vrts/py.typed",
+    "vrts/__init__.pyi",
+    "vrts/schemas/scene.schema.json",
+    "vrts/library/examples/07-notebook/from-python.ipynb",
 )
 
 
