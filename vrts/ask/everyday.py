@@ -27,7 +27,7 @@ ALIKE = (
     "grasp, grip, grab, pick, pick up, seize, take, lift, hold",
     "put, place, set down, put down, lay down, deposit, release, let go, drop",
     "width, opening, wide, how far open, size",
-    "thing, object, part, piece, workpiece, can, item",
+    "thing, object, part, piece, workpiece, can, item, box",
     # places
     "location, position, point, pose, place, coordinate, spot, target, destination, waypoint",
     "teach, record, save a position, store a position, learn a position, jog",
@@ -70,7 +70,7 @@ ALIKE = (
     "undefined, not defined, unknown, missing, no value",
     "format, layout, indent, pretty, tidy, beautify",
     # running and seeing
-    "check, verify, test, prove, validate, is right",
+    "check, verify, test, prove, validate",
     "simulate, run, execute, start, play, launch",
     "see, view, watch, look at, animation, video, picture, 3d, visualise, visualize",
     "debug, debugger, breakpoint, step by step, single step, trace",

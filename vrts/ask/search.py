@@ -12,7 +12,7 @@ from difflib import get_close_matches
 from typing import NamedTuple
 
 from vrts.ask.page import Kind, Page
-from vrts.ask.terms import Wanted, stem, stems_of, wanted
+from vrts.ask.terms import Wanted, stem, stems_of, wanted, words_of
 
 TITLE, KEYWORDS, TEXT = 6.0, 4.0, 1.0  # what a term counts in each field, as tried
 SATURATION = 2.0  # so many occurrences count half of what any number would
@@ -25,6 +25,9 @@ KINDS = {  # among pages that fit alike, those that answer a beginner come first
     Kind.BACKGROUND: 1.0,
     Kind.MESSAGE: 0.75,
 }
+SAYS_ABOUT_A_MESSAGE = 1.6  # instead, where somebody says that a message was shown
+_OF_MESSAGES = "error errors warning warnings message messages says said complains squiggle missing"
+OF_MESSAGES = frozenset(_OF_MESSAGES.split())
 OTHER_LANGUAGES = 0.6  # of words that VAL-II itself does not have
 
 
@@ -88,15 +91,20 @@ class Index:
             for number, score in best.items():
                 scores[number] = scores.get(number, 0.0) + score
                 matched[number] = matched.get(number, 0.0) + importance
+        told = not OF_MESSAGES.isdisjoint(words_of(question))
         ranked = [
-            Hit(self.pages[n], score * self._factor(self.pages[n]) * matched[n] / total)
+            Hit(
+                self.pages[n],
+                score * self._factor(self.pages[n], told=told) * (1 + matched[n] / total) / 2,
+            )
             for n, score in scores.items()
         ]
         ranked.sort(key=lambda hit: (-hit.score, hit.page.name))
         return Found(_one_of_each(ranked), read_as)
 
-    def _factor(self, page: Page) -> float:
-        factor = KINDS[page.kind]
+    def _factor(self, page: Page, *, told: bool) -> float:
+        told = told and page.kind is Kind.MESSAGE
+        factor = SAYS_ABOUT_A_MESSAGE if told else KINDS[page.kind]
         return factor * OTHER_LANGUAGES if self._is_elsewhere(page) else factor
 
     def _is_elsewhere(self, page: Page) -> bool:

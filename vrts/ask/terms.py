@@ -9,7 +9,7 @@ from vrts.ask.other_languages import own_words
 _WORD = re.compile(r"\$?[a-z0-9][a-z0-9_.+/-]*[a-z0-9+]|[a-z0-9]|[$#][a-z]+")
 _OPERAND = re.compile(r"(?!v\d{3})[a-z]{0,2}\d[\d.]*")  # `50`, `p1`, `z10`: what a step is about
 _PLAIN = re.compile(r"[a-z0-9]+")
-_DOUBLED = re.compile(r"([bdgmnprt])\1$")
+_DOUBLED = re.compile(r"([bdgmnprt])\1$")  # `stopping`, `gripper`
 _SMALL = (  # small words, and those that every page is about
     "a about am an and any are as at be been being but by can cannot cant could did do does "
     "doing don for from get gets give got had has have having her here him his how i if in into "
@@ -20,6 +20,21 @@ _SMALL = (  # small words, and those that every page is about
     "robots arm "
 )
 NOISE = frozenset(_SMALL.split())
+_FREQUENT = (  # words of any talk, which say little of what is asked
+    "about actually after against ago all almost alone along already also although always among "
+    "another anybody anyone anything anyway because become begin best better between both came "
+    "come comes course day days did different doesnt done during each either else enough "
+    "equivalent even ever every everybody everyone everything exactly few first five found four "
+    "further given gone good got great guy happen happens having hers his however id idea im "
+    "instead isnt ive keeps kind knows large last later least less lets lot made many maybe "
+    "might more most much must near nearly new next no nobody none nothing now often old once "
+    "ones other others ought own people per perhaps possible quite rather really same saw say "
+    "says see seem seen sees several shall since small somebody somehow sometimes somewhere "
+    "soon still stuff sure taken takes tells than though three through today together told took "
+    "toward true trying two upon used useful using usually various well went whatever whenever "
+    "whether while whose within wont works year yes yet "
+)
+FREQUENT = frozenset(_FREQUENT.split())
 
 
 @cache
@@ -37,6 +52,10 @@ def stem(word: str) -> str:
             break
     if word.endswith("ly") and len(word) > 5:
         word = word[:-2]
+    for ending, kept in (("ation", "at"), ("ator", "at"), ("er", "")):
+        if word.endswith(ending) and len(word) >= 6:
+            word = _DOUBLED.sub(r"\1", word.removesuffix(ending) + kept)
+            break
     word = word.removesuffix("e") if len(word) > 3 else word
     return word[:-1] + "i" if len(word) > 3 and word.endswith("y") else word
 
@@ -101,7 +120,7 @@ def wanted(question: str) -> list[Wanted]:
             exact = words[at].upper() in capitals or len(words) == 1
             found.append(Wanted(words[at], _worth(words[at], others, exact=exact)))
         at += length
-    if not found:  # nothing but small words: they are all there is to go by
+    if all(max(thing.worth.values()) <= NUMBER for thing in found):  # small words are all there is
         found = [Wanted(word, _worth(word, frozenset(), exact=False)) for word in words]
     return found
 
@@ -112,7 +131,7 @@ def _worth(word: str, others: frozenset[str], *, exact: bool) -> dict[str, float
         worth |= {stem(part): 0.5 for part in _PLAIN.findall(word) if len(part) > 1}
     for own in own_words().get(word, ()):
         worth["=" + own.lower()] = ELSEWHERE
-    worth[stem(word)] = NUMBER if _OPERAND.fullmatch(word) else SAME
+    worth[stem(word)] = NUMBER if _OPERAND.fullmatch(word) or word in FREQUENT else SAME
     if exact:
         worth["=" + word] = 1.5
     return worth

@@ -51,7 +51,7 @@ def test_of_sections_of_one_page_the_best_alone_is_named() -> None:
 
 def test_a_slip_of_the_pen_is_read_as_what_it_was_meant_for() -> None:
     found = INDEX.search("coutner")
-    assert found.read_as == {"coutner": "counter"}
+    assert found.read_as == {"coutner": "count"}
     assert found.hits[0].page.name == "do/count"
 
 

@@ -15,6 +15,8 @@ from vrts.ask.terms import alike, stem, wanted, words_of
         ("stop stops stopping stopped", "stop"),
         ("entry entries", "entri"),
         ("slowly slow", "slow"),
+        ("simulation simulator simulating simulates", "simulat"),
+        ("gripper gripping", "grip"),
         ("glass", "glass"),
         ("this", "this"),
         ("bus", "bus"),
