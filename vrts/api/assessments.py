@@ -3,7 +3,7 @@
 from pathlib import Path
 from typing import NamedTuple
 
-from vrts.api.errors import public, text_of
+from vrts.api.errors import public, text_of, wrong_call
 from vrts.api.given import File, path_of
 from vrts.api.notebook import framed, top_and_replay
 from vrts.api.runs import Run, written
@@ -174,7 +174,9 @@ class Assessment:
         Raises:
             VrtsError: The file cannot be written.
         """
-        audience = Audience.GRADER if reader == GRADER else Audience.STUDENT
+        if reader not in (STUDENT, GRADER):
+            raise wrong_call(f"`reader` is {STUDENT} or {GRADER}")
+        audience = Audience(reader)
         found = self.inner
         place, more = path_of(path), self._request.setting.more
         written(place, page(found, page_stills(found), audience=audience, more=more).encode())

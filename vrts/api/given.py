@@ -40,7 +40,7 @@ def given(program: Program) -> Given:
         VrtsError: It is neither a path nor text.
     """
     if isinstance(program, str) and "\n" in program:
-        return Given(ProgramFile(program.encode(), TEXT), None)
+        return Given(ProgramFile(program.encode("utf-8", "replace"), TEXT), None)
     path = path_of(program)
     return Given(ProgramFile(read_bytes(path), shown(path)), path)
 
@@ -57,6 +57,17 @@ def path_of(file: object) -> Path:
     if not isinstance(name, str) or "\0" in name:
         raise wrong_call("a path is text without null characters")
     return Path(name)
+
+
+def word(text: object, what: str) -> str | None:
+    """Return a name that may be left out.
+
+    Raises:
+        VrtsError: It is no text.
+    """
+    if text is None or isinstance(text, str):
+        return text
+    raise wrong_call(f"`{what}` is text, not {type(text).__name__}")
 
 
 def optional_path(file: File | None) -> Path | None:
@@ -77,7 +88,7 @@ def reading(dialect: str | None, files: Iterable[File] | File, default: str) -> 
         CannotRead: A file is not there.
         VrtsError: There is no such dialect.
     """
-    named = default if dialect is None else dialect
+    named = word(dialect, "dialect") or default
     if named != AUTO and named not in DIALECTS:
         raise wrong_call(
             f"there is no dialect `{named}`", f"dialects: {', '.join((AUTO, *DIALECTS))}"

@@ -4,7 +4,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from vrts.api.errors import VrtsError, public, refusal
-from vrts.api.given import File, Program, given, optional_path, path_of, reading
+from vrts.api.given import File, Program, given, optional_path, path_of, reading, word
 from vrts.api.requests import outside, run_request, verify_request
 from vrts.api.runs import setting_read, written
 from vrts.api.scenes import Scene, Task, task_path
@@ -142,8 +142,9 @@ def prove(
     >>> found.answer, found.futures[0].line
     ('violated', 3)
     """
-    if states < 1:
-        raise VrtsError("`states` is 1 or more")
+    if not isinstance(states, int) or states < 1:  # pyright: ignore[reportUnnecessaryIsInstance]
+        raise VrtsError("`states` is a whole number, 1 or more")
+    entry = word(entry, "entry")
     file = given(program)
     where = Where(
         None if scene is None or isinstance(scene, Scene) else str(path_of(scene)),

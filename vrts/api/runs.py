@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from vrts.api.curves import curves
 from vrts.api.errors import VrtsError, public, refusal, text_of, wrong_call
-from vrts.api.given import File, Program, given, optional_path, path_of, reading
+from vrts.api.given import File, Program, given, optional_path, path_of, reading, word
 from vrts.api.requests import run_request_beside
 from vrts.api.scenes import Location, Scene, Task, location_of, task_path
 from vrts.base.units import DEG, MM, deg, mm
@@ -353,8 +353,9 @@ def run(
         None if task is None or isinstance(task, Task) else task_path(task),
         optional_path(scenario),
         optional_path(lab),
-        controller,
+        word(controller, "controller"),
     )
+    entry = word(entry, "entry")
     how = reading(dialect, files, "auto")
     setting = setting_read(scene, task, where)
     if setting is not None:

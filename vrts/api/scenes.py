@@ -7,7 +7,7 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 from vrts.api.errors import public
-from vrts.api.given import File, optional_path, path_of
+from vrts.api.given import File, optional_path, path_of, word
 from vrts.assignments.packed import is_packed, load_zip
 from vrts.base.oat import components
 from vrts.base.pose import Pose
@@ -154,7 +154,7 @@ def scene(name: File, *, lab: File | None = None, controller: str | None = None)
     800.0
     """
     setting = load_scene(str(path_of(name)), lab=optional_path(lab))
-    return Scene(with_controller(setting, controller))
+    return Scene(with_controller(setting, word(controller, "controller")))
 
 
 @public
@@ -185,4 +185,4 @@ def task(
     path = task_path(name)
     read = load_zip if is_packed(path) else load_task
     found = read(path, scenario=optional_path(scenario), staff=staff, lab=optional_path(lab))
-    return Task(with_controller(found, controller))
+    return Task(with_controller(found, word(controller, "controller")))

@@ -6,7 +6,7 @@ from typing import overload
 
 from vrts.api.assessments import Assessment
 from vrts.api.errors import public, wrong_call
-from vrts.api.given import File, Given, Program, given, optional_path, path_of, reading
+from vrts.api.given import File, Given, Program, given, optional_path, path_of, reading, word
 from vrts.api.requests import verify_request
 from vrts.api.runs import setting_read
 from vrts.api.scenes import Scene, Task, task_path
@@ -67,7 +67,7 @@ def verify(
     file = given(program)
     setting = setting_of(file, scene, task, (scenario, lab, controller))
     checks = Checks(collisions=collisions, curve=True, causes=True)
-    how = reading(dialect, files, STRICT)
+    entry, how = word(entry, "entry"), reading(dialect, files, STRICT)
     return assessed(verify_request(file, setting, how, entry=entry, checks=checks))
 
 
@@ -107,6 +107,8 @@ def mark(
     setting = (task if isinstance(task, Task) else read_task(task, staff=staff)).setting
     if isinstance(programs, str | PathLike):
         return _lowest(given(programs), setting)
+    if not isinstance(programs, Iterable):  # pyright: ignore[reportUnnecessaryIsInstance]
+        raise wrong_call("`programs` is a program, or a list of programs")
     return [_lowest(given(program), setting) for program in programs]
 
 
@@ -129,7 +131,7 @@ def setting_of(
         None if task is None or isinstance(task, Task) else task_path(task),
         optional_path(scenario),
         optional_path(lab),
-        controller,
+        word(controller, "controller"),
     )
     setting = setting_read(scene, task, where) or found_setting(file.path, where)
     if setting is None:

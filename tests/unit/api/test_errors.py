@@ -27,7 +27,7 @@ CALLS: list[tuple[str, Callable[[Path], object], str]] = [
     ("no lab", lambda _: vrts.scene("cans-on-bases", lab="x.toml"), "cannot read `x.toml`"),
     ("lab alone", lambda _: vrts.run(TURN, lab="x.toml"), "a lab is laid over a scene"),
     ("no environment", lambda _: vrts.prove(TURN, environment="x"), "cannot read `x`"),
-    ("no states", lambda _: vrts.prove(TURN, states=0), "`states` is 1 or more"),
+    ("no states", lambda _: vrts.prove(TURN, states=0), "`states` is a whole number, 1 or more"),
     ("late", lambda _: vrts.run(TURN).at(99), "the run goes from 0 to"),
     ("before", lambda _: vrts.run(TURN).joints([-1.0]), "not to -1 s"),
     ("no time", lambda _: vrts.run(TURN).tool([float("nan")]), "not to nan s"),
@@ -39,6 +39,17 @@ CALLS: list[tuple[str, Callable[[Path], object], str]] = [
     ("no run", lambda _: vrts.mark(WRONG, "01-cans-on-bases").run, "`SPED` is not an instruction"),
     ("no thing", lambda _: vrts.why(TURN, of="zork", scene="cans-on-bases"), "called `zork`"),
     ("not so long", lambda _: vrts.why(TURN, at_s=99, scene="cans-on-bases"), "the run lasts"),
+    ("entry", lambda _: anything.run(TURN, entry=5), "`entry` is text, not int"),
+    ("model", lambda _: anything.scene("cans-on-bases", controller=[]), "`controller` is text"),
+    ("half", lambda _: anything.prove(TURN, states=1.5), "`states` is a whole number"),
+    ("what to mark", lambda _: anything.mark(5, "01-cans-on-bases"), "`programs` is a program"),
+    (
+        "reader",
+        lambda path: vrts.verify(TURN, scene="cans-on-bases").save_html(path, reader="x"),
+        "`reader` is student or grader",
+    ),
+    ("half a sign", lambda _: vrts.run(TURN + "\ud800"), "error["),
+    ("no real number", lambda _: anything.run(TURN).joints([1j]), "times are numbers"),
     ("null", lambda _: vrts.run("a\0b"), "without null characters"),
 ]
 
