@@ -93,3 +93,8 @@ def _back(source: SourceFile, before: Iterable[Edit], edit: Edit) -> Edit | None
 def changed(text: str, edits: Iterable[Edit]) -> str:
     """Return a program after edits, none of which overlaps another."""
     return with_edits(text, edits)
+
+
+def changed_lines(change: Change) -> frozenset[int]:
+    """Return the lines of the file on which edits of a change begin."""
+    return frozenset(edit.span.line for edit in change.edits)

@@ -15,10 +15,12 @@ from vrts.check.mark.grade import Grade
 from vrts.engine.run import Run
 from vrts.lang.dialect import VAL2
 from vrts.repair.blame.blame import Blame, blame
-from vrts.repair.edit import Candidate, both, changed
+from vrts.repair.edit import Candidate, both, changed, changed_lines
 from vrts.repair.ranking import Repair, keeps_time, ranked
+from vrts.repair.surely import surely
 from vrts.repair.table.asked import Asked
 from vrts.repair.table.habits import odder
+from vrts.repair.table.rows import slipped_rows
 from vrts.repair.table.table import candidates
 from vrts.repair.trying.lost import first_loss
 from vrts.repair.trying.touched import known_touches
@@ -28,6 +30,8 @@ from vrts.repair.written import read
 DOUBTED = 0.25  # of a repair against which a teacher says so much others are looked for longer
 BESIDE_IT = 1.0  # and against it that a program is too slow, and no speed or pause is changed
 UNUSED = 0.3  # what a teacher says against it that locations stay that nothing names
+UNMENDED = 0.35  # and that a location stays that is nearly as the scene says, but for a slip
+MOST_SURE = 2  # slips that are mended first, before two changes are looked for
 MOST_JUDGED = 3  # changes that come farthest, to tell which earns most
 FARTHER = 0.0015  # more than a line that a step more adds to those that move something
 FRUITLESS = 0.08  # how much dearer a group gets with each of it that comes to nothing
@@ -79,6 +83,8 @@ def search(
     two: list[Repair] = []
     for most in (budget.one, 0):
         helpers = [] if level.found else level.helping(budget.helpers, budget.again)
+        if most and not level.found:
+            helpers = [*level.surely(), *helpers]
         for n, helper in enumerate(helpers):
             left = budget.executions - level.count - count
             if left <= 0 or good > budget.others:
@@ -110,6 +116,9 @@ class _Helper(NamedTuple):
     candidate: Candidate
     text: str
     result: Tried
+
+
+NOT_TRIED = Tried(Stage.STOPS)
 
 
 class _Level:
@@ -163,7 +172,7 @@ class _Level:
                 if not doubted or not self.found:
                     more = self.budget.more * (3 if doubted else 1)
                     left = min(left, self.count + more) if not doubted else self.count + more
-                enough = min(enough, repair.against + self.budget.band)
+                enough = min(enough, max(repair.against, repair.cost) + self.budget.band)
                 self.found.append(repair)
                 continue
             if result.come == NOWHERE:
@@ -177,6 +186,14 @@ class _Level:
         if better:
             self._helpers.append(_Helper(candidate, text, result))
         return better
+
+    def surely(self) -> list[_Helper]:
+        """Return changes of what is surely a slip, whether they come farther or not."""
+        made = [
+            _Helper(candidate, changed(self.source.text, candidate.change.edits), NOT_TRIED)
+            for candidate in surely(self._asked)
+        ]
+        return made[:MOST_SURE]
 
     def helping(self, most: int, again: int) -> list[_Helper]:
         """Return the changes that come farthest; of those that come as far the cheapest.
@@ -275,6 +292,8 @@ def _repair(candidate: Candidate, text: str, result: Tried, asked: Asked) -> Rep
         doubt += UNUSED
     doubt += odder(asked, text)
     doubt += BESIDE_IT if asked.blame.slow and not keeps_time(change) else 0.0
+    if any(line not in changed_lines(change) for line in slipped_rows(asked)):
+        doubt += UNMENDED
     weight = asked.blame.weight(change.line)
     return Repair(change, candidate.cost, text, result.mark, weight, doubt)
 

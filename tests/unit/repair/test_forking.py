@@ -11,6 +11,7 @@ from vrts.lang.compiler import STRICT
 from vrts.pipeline.setting import scenario_of
 from vrts.pipeline.settings import load_task
 from vrts.repair.trying.trial import Place, Stage, Tried, compiled, shared, tried
+from vrts.why.slicing.executed import Steps
 
 EXAMPLE = EXAMPLES[1]
 RIGHT = (EXAMPLE / "solution.v2").read_text()
@@ -34,6 +35,20 @@ def told(found: Tried) -> tuple[Stage, float, Fraction | None, object]:
     assert found.run is not None
     ways = [segment.coefficients for segment in found.run.timeline.segments]
     return found.stage, found.come, found.mark, (ways, len(found.run.events))
+
+
+def test_it_goes_on_before_the_step_that_differs() -> None:
+    before, after, _ = next(iter(CHANGES.values()))
+    known = shared(PLACE, RIGHT, Memory())
+    found = compiled(PLACE, RIGHT.replace(before, after, 1))
+    assert known is not None
+    assert found is not None
+    begins = known.before(found[0])
+    assert begins is not None
+    executed = {step.line for step in Steps(begins).of_robot}
+    changed = 1 + RIGHT[: RIGHT.index(before)].count("\n")
+    assert executed
+    assert max(executed) < changed
 
 
 @pytest.mark.parametrize(

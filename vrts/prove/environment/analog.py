@@ -9,10 +9,10 @@ from vrts.ir.ranges import LEAST_COUNT, MOST_COUNT
 from vrts.prove.environment.environment import Counts
 from vrts.scene.reading.scenario_analog import (
     ANALOG_UNCLEAR,
-    driven_once,
     read_channel,
     whole,
 )
+from vrts.scene.reading.scenario_signals import driven_once
 
 
 def read_counts(tables: Iterable[Table]) -> Mapping[int, Counts]:
@@ -22,7 +22,11 @@ def read_counts(tables: Iterable[Table]) -> Mapping[int, Counts]:
     for table in tables:
         channel = read_channel(table)
         counts = _counts(table)
-        if channel is not None and driven_once(table, channel, driven) and counts is not None:
+        if (
+            channel is not None
+            and driven_once(table, "channel", channel, driven)
+            and counts is not None
+        ):
             found[channel] = counts
     return MappingProxyType(found)
 

@@ -22,6 +22,7 @@ from vrts.repair.blame.trail import Trail
 ENDS = (Ending.COMPLETED, Ending.HALTED)
 SOON = 1.0  # [s] in which the hand has closed on what it closes on
 UNGRIPPED = 0.9  # of the motion that came nearest to a thing that was never gripped
+HELD = 0.6  # of how a thing was gripped that touches something later
 SLOWEST = 12  # motions looked at where time is lost
 
 
@@ -77,6 +78,18 @@ class _Finder:
         for contact in report.contacts if report is not None else ():
             self.motion(contact.start_s, 1.0)
             self.times.append(contact.start_s)
+            if contact.held is not None and contact.parts[0] == contact.held:
+                self.gripped(contact.held, contact.start_s)
+
+    def gripped(self, body: str, time_s: float) -> None:
+        """Find where a thing was gripped that touches something: it may be held wrongly."""
+        found = [
+            e
+            for e in self.run.events
+            if isinstance(e, Grasped) and e.body == body and e.time_s <= time_s
+        ]
+        for e in found[-1:]:
+            self.motion(e.time_s, HELD)
 
     def goals(self) -> None:
         time_s = min(judged_at(self.run, self.task), self.run.horizon_s)

@@ -15,6 +15,7 @@ from vrts.repair.blame.trail import Trail
 DEEPEST = 8  # steps that a chain is followed back
 FAINT = 0.05  # of weights: a chain is not followed further
 WRITERS, DATA, CALLERS, BEFORE = 0.9, 0.95, 0.8, 0.75  # how blame is handed on
+BEGINS = 0.7  # of the data of the motion before one: where and how the arm sets out
 NEAR = 7  # steps before one that are to blame too: settings, the hand, BREAK
 FOLLOWING = 0.5
 DECISIONS = 0.55  # of every branch and loop: what they leave out shows nowhere
@@ -62,6 +63,11 @@ def blame(run: Run, task: Task, judgement: Judgement, grade: Grade) -> Blame:
                 weights[written.line] = max(weights.get(written.line, 0.0), handed)
             elif written.step is not None:
                 follow(written.step, WRITERS * weight, depth + 1)
+        begun = trail.motion_before(k)
+        for written in () if begun is None else trail.reads(begun):
+            if written.line is not None:
+                handed = BEGINS * weight
+                weights[written.line] = max(weights.get(written.line, 0.0), handed)
         caller = trail.caller(k)
         if caller is not None:
             follow(caller, CALLERS * weight, depth + 1)

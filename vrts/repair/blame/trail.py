@@ -10,9 +10,12 @@ from typing import NamedTuple
 from vrts.engine.memory.events import Cause
 from vrts.engine.run import Run
 from vrts.ir.expressions import Place
+from vrts.ir.motion import Depart, Draw, Drive, Move
 from vrts.why.slicing.executed import Executed, Steps
-from vrts.why.slicing.read import readings
+from vrts.why.slicing.read import element, readings
 from vrts.why.slicing.sources import written
+
+MOTIONS = (Move, Depart, Drive, Draw)
 
 
 class Written(NamedTuple):
@@ -42,6 +45,22 @@ class Trail:
         found = ((m, self._found.motion_index(m)) for m in range(len(self.run.motions)))
         return {motion: k for motion, k in found if k is not None and k < len(self.steps)}
 
+    @cached_property
+    def _motion_of(self) -> Mapping[int, int]:
+        """For each executed step that asked for a motion the number of that motion."""
+        return {k: motion for motion, k in self.motion_steps.items()}
+
+    def motion_before(self, k: int) -> int | None:
+        """Return the executed step of the motion before that of a step; None: it has none.
+
+        Of a step that failed: of the last motion, if it is a step that moves.
+        """
+        motion = self._motion_of.get(k)
+        if motion is None:
+            last = k + 1 == len(self.steps) and isinstance(self.steps[k].instruction, MOTIONS)
+            motion = len(self.run.motions) if last else None
+        return None if not motion else self.motion_steps.get(motion - 1)
+
     def reads(self, k: int) -> Iterator[Written]:
         """Yield where the values were written that a step read."""
         for each in readings(self._found, self.steps[k]):
@@ -56,10 +75,14 @@ class Trail:
                 yield Written(None, self._found.robot_index(source.step.number))
 
     def unknown(self, k: int) -> Iterator[str]:
-        """Yield the names of variables, or their arrays, that a step read and that had no value."""
+        """Yield the names of variables, or their arrays, that a step read and that had no value.
+
+        Of an argument the name that its caller gave.
+        """
         for each in readings(self._found, self.steps[k]):
             if not each.known:
-                yield each.place.variable.name
+                name = element(self._found, each.place, each.before, each.activation)
+                yield name.partition("[")[0]
 
     def writes(self, k: int) -> str | None:
         """Return the name of the variable, or its array, that a step gives a value."""

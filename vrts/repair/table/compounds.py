@@ -33,6 +33,7 @@ def compounds(asked: Asked, step: WrittenStep) -> Iterator[Candidate]:
                     pass
     for item in location_operands(step):
         yield from _longer(asked, step, item)
+        yield from _seen_from(asked, step, item)
         for part in _leaves(item):
             text = asked.text_of(part)
             if part.start in seen or isinstance(step.statement, SetLocation):
@@ -59,6 +60,20 @@ def _longer(asked: Asked, step: WrittenStep, whole: Item) -> Iterator[Candidate]
         unusual = UNFINISHED - (AKIN if inner & set(WORDS.findall(other)) else 0.0)
         made = asked.instead(Does.NAME, step.line, whole, longer, size=2, unusual=unusual)
         yield made._replace(group=(Does.NAME.value, -whole.end))
+
+
+def _seen_from(asked: Asked, step: WrittenStep, whole: Item) -> Iterator[Candidate]:
+    """Yield a compound that begins with INVERSE with a part more before it."""
+    first = whole
+    while isinstance(first, Infix):
+        first = first.left
+    if not isinstance(first, Application) or key(first.name.text) != "inverse":
+        return
+    for other in sorted(asked.locations):
+        longer = f"{other}:{asked.text_of(whole)}"
+        unusual = UNFINISHED - (AKIN if other in asked.idle else 0.0)
+        made = asked.instead(Does.NAME, step.line, whole, longer, size=2, unusual=unusual)
+        yield made._replace(group=(Does.NAME.value, -whole.start))
 
 
 def _compound(

@@ -1,20 +1,16 @@
 """Other names: misspelt ones, exchanged ones, parts of compounds left out or turned round."""
 
-import re
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from itertools import pairwise
 
 from vrts.lang.names import key
 from vrts.lang.syntax.expressions import (
-    Application,
-    Element,
-    Item,
     Name,
 )
-from vrts.lang.syntax.statements import CallStatement, SetLocation, Simple
+from vrts.lang.syntax.statements import CallStatement, For, SetLocation, Simple
 from vrts.repair.edit import Candidate, Does, replacement
-from vrts.repair.nodes import nodes, operands, parts
+from vrts.repair.table.arguments import arguments, swap
 from vrts.repair.table.asked import MOVES_TO, TRUST, Asked, name_of, names_in, series, target_of
 from vrts.repair.table.compounds import (
     NEAR,
@@ -23,6 +19,7 @@ from vrts.repair.table.compounds import (
     location_operands,
     visits,
 )
+from vrts.repair.table.numbers import AWAY, word_of
 from vrts.repair.table.placing import same
 from vrts.repair.written import WrittenStep
 
@@ -31,8 +28,8 @@ PARTED = 0.6  # what a teacher says against going near one location and then to 
 UNLIKE = 0.5  # and against exchanging where one goes with what another only goes near
 FORGOTTEN = 0.5  # what it costs that a line is not to blame, for a program that nothing calls
 TWICE = 0.4  # what speaks for a location that nothing names, in place of one that is named twice
-AS_ELSEWHERE = -0.6  # what speaks for arguments in the places that other calls have them in
-LETTERS = re.compile("[a-z]{2,}")
+ONE_FOR_ALL = -0.6  # what speaks for one header that is wrong, where several calls are alike
+COUNTER = 0.7  # what a teacher says against a distance that is the counter of a loop
 FEW = 2  # letters in which a misspelt name differs
 LEFT = 0.5  # what a teacher says against leaving a location that was taught and named unused
 
@@ -43,7 +40,7 @@ def other_names(asked: Asked) -> Iterator[Candidate]:
     for step in asked.steps:
         yield from _in_step(asked, step)
         yield from compounds(asked, step)
-        yield from _arguments(asked, step)
+        yield from arguments(asked, step)
     yield from _everywhere(asked)
     yield from _definitions(asked, used)
     yield from _headers(asked, used)
@@ -84,6 +81,12 @@ def _in_step(asked: Asked, step: WrittenStep) -> Iterator[Candidate]:
     target = target_of(step)
     beside = _visited_beside(asked, step)
     again = _again(asked, step)
+    counters = {
+        key(each.statement.target.text)
+        for each in asked.written.steps
+        if isinstance(each.statement, For) and isinstance(each.statement.target, Name)
+    }
+    is_away = word_of(step.statement) in AWAY
     for name in names_in(step):
         mine = key(name.text)
         others = _like(asked, mine, step)
@@ -110,6 +113,8 @@ def _in_step(asked: Asked, step: WrittenStep) -> Iterator[Candidate]:
                 if right or slipped(other, mine):
                     doubt, unusual = doubt + 0.3, unusual + 0.3  # its row is misspelt, not it
                     unusual += 0.5 if other in asked.idle else 0.0  # so nobody used it
+            if other in counters and is_away:
+                unusual, doubt = unusual + COUNTER, doubt + COUNTER
             if mine in beside:
                 unusual, doubt = unusual + 0.3, doubt + PARTED
             elif other in beside:
@@ -165,96 +170,6 @@ def _like(asked: Asked, name: str, step: WrittenStep) -> set[str]:
     if name in asked.defined:
         return set(asked.locations | asked.numbers) | formals
     return set(asked.locations | asked.numbers | asked.arrays) | formals | set(asked.taught)
-
-
-def _arguments(asked: Asked, step: WrittenStep) -> Iterator[Candidate]:
-    """Yield two arguments of a CALL or a function exchanged, and one that keeps its value."""
-    lists: list[Sequence[Item | None]] = []
-    if isinstance(step.statement, CallStatement):
-        lists.append(step.statement.arguments)
-        for argument in _changed_by_call(asked, step.statement):
-            text = f"({asked.text_of(argument)})"
-            yield asked.instead(Does.WORD, step.line, argument, text, unusual=-0.3)
-    for item in operands(step.statement):
-        lists += [part.arguments for part in parts(item) if isinstance(part, Application)]
-    for arguments in lists:
-        for k, one in enumerate(arguments):
-            for other in arguments[k + 1 :]:
-                if one is None or other is None or asked.text_of(one) == asked.text_of(other):
-                    continue
-                meant = _as_elsewhere(asked, step, arguments, one, other)
-                yield _swap(asked, step, one, other, AS_ELSEWHERE if meant else -0.2)
-    if isinstance(step.statement, Simple) and step.statement.word == "DRAW":
-        given = [each for each in step.statement.operands if each is not None]
-        for one, other in pairwise(given):
-            yield _swap(asked, step, one, other, 0.2)
-
-
-def _as_elsewhere(
-    asked: Asked, step: WrittenStep, given: Sequence[Item | None], one: Item, other: Item
-) -> bool:
-    """Return whether two arguments of a CALL stand where other calls have the other kind of name.
-
-    By words of the names: `base1_put` where others have `can1_grip`, and the other way round.
-    """
-    if not isinstance(step.statement, CallStatement):
-        return False
-    places = given.index(one), given.index(other)
-    mine = [set(LETTERS.findall(asked.text_of(each).lower())) for each in (one, other)]
-    for call in asked.written.steps:
-        statement = call.statement
-        if call is step or not isinstance(statement, CallStatement):
-            continue
-        if key(statement.program.text) != key(step.statement.program.text):
-            continue
-        theirs = [
-            set(LETTERS.findall(asked.text_of(each).lower()))
-            for at in places
-            if at < len(statement.arguments) and (each := statement.arguments[at]) is not None
-        ]
-        if len(theirs) == 2 and mine[0] & theirs[1] and mine[1] & theirs[0]:
-            return not (mine[0] & theirs[0] or mine[1] & theirs[1])
-    return False
-
-
-def _changed_by_call(asked: Asked, call: CallStatement) -> Iterator[Name]:
-    """Yield the numbers given to a program that it changes: its caller's variables."""
-    names = [program.name for program in asked.written.programs]
-    called = key(call.program.text)
-    if called not in names:
-        return
-    number = names.index(called)
-    targets = [target_of(step) for step in asked.written.steps if step.program == number]
-    changed = {key(target.text) for target in targets if isinstance(target, Name)}
-    formals = asked.written.programs[number].formals
-    for formal, argument in zip(formals, call.arguments, strict=False):
-        if not isinstance(argument, Name) or not formal:
-            continue
-        if key(argument.text) in asked.numbers and key(formal.name.text) in changed:
-            yield argument
-
-
-def _swap(asked: Asked, step: WrittenStep, one: Item, other: Item, unusual: float) -> Candidate:
-    source = asked.written.source
-    a, b = asked.text_of(one), asked.text_of(other)
-    edits = (
-        replacement(source, one.start, one.end, b),
-        replacement(source, other.start, other.end, a),
-    )
-    size = min(nodes(one) + nodes(other), 2 * min(nodes(one), nodes(other)))
-    if isinstance(one, Element) and isinstance(other, Element):
-        alike = [asked.text_of(x)[len(x.name.text) :] for x in (one, other)]
-        size = 2 if alike[0] == alike[1] else size
-    return asked.candidate(
-        Does.ORDER,
-        step.line,
-        edits,
-        priced=min(size, 2),
-        size=size,
-        unusual=unusual,
-        old=f"{a}, {b}",
-        new=f"{b}, {a}",
-    )
 
 
 def _everywhere(asked: Asked) -> Iterator[Candidate]:
@@ -351,6 +266,11 @@ def _headers(asked: Asked, used: set[str]) -> Iterator[Candidate]:
                     old=name.text,
                     new=other,
                 )
+        calls = sum(
+            isinstance(step.statement, CallStatement)
+            and key(step.statement.program.text) == program.name
+            for step in asked.written.steps
+        )
         for one, other in pairwise(formals):
             a, b = one.name, other.name
             edits = (
@@ -362,8 +282,8 @@ def _headers(asked: Asked, used: set[str]) -> Iterator[Candidate]:
                 program.line,
                 edits,
                 size=2,
-                against=0.5,
-                unusual=0.3,
+                against=0.5 if calls < 2 else 0.3,
+                unusual=0.3 if calls < 2 else ONE_FOR_ALL,
                 old=f"{a.text}, {b.text}",
                 new=f"{b.text}, {a.text}",
             )
@@ -383,7 +303,7 @@ def _exchanged(asked: Asked) -> Iterator[Candidate]:
                 a, b = next(location_operands(one), None), next(location_operands(other), None)
                 if a is None or b is None or asked.text_of(a) == asked.text_of(b):
                     continue
-                found = _swap(asked, one, a, b, 0.2)
+                found = swap(asked, one, a, b, 0.2)
                 less = min(asked.against(one.line), asked.against(other.line))
                 by = TRUST[Does.ORDER] * (less - asked.against(one.line))
                 unlike = approaches(one) != approaches(other)

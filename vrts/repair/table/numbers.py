@@ -8,6 +8,7 @@ from vrts.lang.names import key
 from vrts.lang.syntax.expressions import Application, Element, Infix, Item, Name, Number, Prefix
 from vrts.lang.syntax.statements import (
     Assignment,
+    CallStatement,
     For,
     If,
     Simple,
@@ -30,6 +31,11 @@ BESIDE = (20, 40, 80, 150, 10, 250, 400)
 SMALL = 12  # a whole number up to this may count something
 COUNTED = 1.3  # what it speaks against a number that counts that its line is not to blame
 FROM_ONE = -0.3  # what speaks for a loop that begins at 1
+BY_ONE = -0.3  # and for a number that counts by 1
+PACED = 1.0  # what it costs that a speed is not to blame, where nothing is lost but time
+SLOWED = 0.5  # what speaks against a smaller speed where nothing is lost but time
+BACKWARD = -0.6  # what speaks for a distance with the other sign, given to a program that leaves
+SHIFTED = 0.3  # what a teacher says against a shift along an axis along which there was none
 BEYOND = 1000.0  # [mm] no step goes farther: surely mistyped
 TOGETHER = 1.8  # what it speaks against a number that stands in many places that none is to blame
 FAR = 5000.0  # [mm] no distance is longer
@@ -63,6 +69,12 @@ def other_numbers(asked: Asked) -> Iterator[Candidate]:
                 odd, doubt = 0.0, 0.0
                 if role is Role.DISTANCE and abs(value) > BEYOND:
                     odd = -0.5
+                if value < 0 and other == -value and isinstance(step.statement, CallStatement):
+                    odd = BACKWARD
+                if value == 0 and role is Role.DISTANCE and word == "SetLocation":
+                    doubt = SHIFTED
+                if role is Role.SPEED and asked.blame.slow:
+                    odd = SLOWED if other < value else 0.0
                 if word in AWAY and usual:
                     odd = -0.5 if value <= ODD * usual or value > FARTHEST else 0.0
                     doubt = FAR_AWAY if other > max(250.0, 2.0 * usual) else 0.0
@@ -73,7 +85,7 @@ def other_numbers(asked: Asked) -> Iterator[Candidate]:
                     written_number(other),
                     unusual=unusual + odd,
                     doubt=doubt,
-                    trust=COUNTED if role is Role.COUNT or _may_count(value, role) else None,
+                    trust=_trust(asked, value, role),
                 )
             if role is Role.COUNT and word != "For":
                 beside = {key(name.text) for name in names_in(step)} & asked.numbers
@@ -88,6 +100,7 @@ def other_numbers(asked: Asked) -> Iterator[Candidate]:
                 )
             if isinstance(step.statement, For) and item is step.statement.increment:
                 yield asked.instead(Does.NUMBER, step.line, item, "1", trust=COUNTED)
+        yield from _counting(asked, step)
     for (word, role, value), places in alike.items():
         if len(places) > 1:
             kind = Role(role)
@@ -96,6 +109,17 @@ def other_numbers(asked: Asked) -> Iterator[Candidate]:
                 doubt = FAR_AWAY if word in AWAY and other > max(250.0, 2.0 * usual) else 0.0
                 together = _together(asked, places, other, unusual + odd + doubt)
                 yield together._replace(doubt=doubt)
+
+
+def _counting(asked: Asked, step: WrittenStep) -> Iterator[Candidate]:
+    """Yield `n = n+1` for a step that counts by another number."""
+    match step.statement:
+        case Assignment(Name(name), Infix("+", Name(other), Number(by) as item)) if (
+            key(name) == key(other) and by != 1
+        ):
+            yield asked.instead(Does.NUMBER, step.line, item, "1", unusual=BY_ONE, trust=COUNTED)
+        case _:
+            return
 
 
 def _together(
@@ -211,6 +235,13 @@ def _elsewhere(asked: Asked) -> dict[str, list[float]]:
         known = found.setdefault(word, [])
         known += [x for x in asked.constants.values() if x not in known and x > BESIDE[0]]
     return found
+
+
+def _trust(asked: Asked, value: float, role: Role) -> float | None:
+    """Return what it costs that the line of a number is not to blame; None: as usual."""
+    if role is Role.SPEED and asked.blame.slow:
+        return PACED
+    return COUNTED if role is Role.COUNT or _may_count(value, role) else None
 
 
 def _may_count(value: float, role: Role) -> bool:

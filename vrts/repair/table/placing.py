@@ -10,6 +10,7 @@ from vrts.repair.written import WrittenStep
 
 HAND = frozenset({"OPEN", "OPENI", "CLOSE", "CLOSEI"})
 EMPTY_LOOP = -0.9  # what speaks for a call in a loop with nothing in it
+COUNTED = -0.6  # and for a call with what was counted just before
 INSIDE = 4  # steps of a block in which a motion is looked for
 ELEMENT = re.compile(r"(\w+)\[(\d+)\]")
 BETWEEN = -0.7  # what speaks for an element of an array between its neighbours
@@ -95,6 +96,8 @@ def fits(text: str, before: WrittenStep | None, step: WrittenStep | None) -> flo
         return -0.4
     if word == "CALL" and above[:1] == ["FOR"] and below[:1] == ["END"]:
         return EMPTY_LOOP
+    if word == "CALL" and above[1:2] == ["="] and text.endswith(f"({above[0]})"):
+        return COUNTED
     if word == "SET":
         if above[:1] == ["SET"]:
             return -0.3

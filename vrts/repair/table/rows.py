@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterator, Sequence
 from statistics import median
 
 from vrts.base.oat import rotation_from_oat
-from vrts.base.pose import IDENTITY_ROTATION, Pose, Rotation, rotate, transpose
+from vrts.base.pose import IDENTITY_ROTATION, Rotation, rotate, transpose
 from vrts.base.units import DEG
 from vrts.lang.names import key
 from vrts.lang.syntax.expressions import Element, Name, Number
@@ -28,6 +28,12 @@ MEANT = -0.8  # what it speaks for a value that geometry asks for and a slip exp
 ONE_DIGIT = -0.2  # and for a value that differs in one digit
 UNEXPLAINED = 0.25  # and against a value that neither a slip nor geometry explains
 AS_TAUGHT = 0.6  # what speaks against another value where a row is as the scene says
+IN_LINE = -0.3  # what speaks for a location over a thing that it is beside
+MEASURED = 0.35  # what a teacher says against another X or Y where it is that of a thing
+ASIDE = 100.0  # [mm] so far beside a thing a location may be that was meant to be over it
+ABOUT = 300.0  # [mm] so far from a location a thing may be to have to do with it
+SQUARE = -0.3  # what speaks for a value with which a way is along an axis
+SLIPPED = 3  # values in which a location may differ from what the scene says by a slip
 UNROUND = 0.3  # what a teacher says against a number that nobody measures
 SAME = 0.02  # [mm], [deg] of two values that differ by less neither is another
 POSE = 6
@@ -49,7 +55,28 @@ def other_rows(asked: Asked) -> Iterator[Candidate]:
             yield from _several(asked, row)
     yield from _exchanged(asked, rows)
     yield from _all_rows(asked, rows)
-    yield from _missing(asked)
+
+
+def slipped_rows(asked: Asked) -> frozenset[int]:
+    """Return the lines of locations that differ from what the scene says in a few values."""
+    found: set[int] = set()
+    for row in asked.written.rows:
+        taught = asked.taught.get(key(name_of(row.node.target))) if _is_pose(row) else None
+        if taught is None or not asked.matters(row.line):
+            continue
+        apart = sum(abs(a - b) > SAME for a, b in zip(values_of(row), taught, strict=True))
+        if 0 < apart <= SLIPPED:
+            found.add(row.line)
+    return frozenset(found)
+
+
+def as_taught(asked: Asked) -> Iterator[Candidate]:
+    """Yield each location that differs from what the scene says by a slip, as the scene says."""
+    lines = slipped_rows(asked)
+    for row in asked.written.rows:
+        if row.line in lines and _is_pose(row):
+            taught = asked.taught[key(name_of(row.node.target))]
+            yield _row(asked, row, taught, Does.ROW, -0.9, priced=1.2)
 
 
 def values_of(row: WrittenRow) -> tuple[float, ...]:
@@ -83,6 +110,7 @@ def _single(
     """Yield a row with one other value."""
     values = values_of(row)
     taught = asked.taught.get(key(name_of(row.node.target)))
+    things = [components(body.X_WO) for body in asked.scene.bodies]
     near = _nearest(asked, values)
     beside = _beside(asked, row)
     as_taught = AS_TAUGHT if _as_taught(asked, row, row.node.target) else 0.0
@@ -91,10 +119,13 @@ def _single(
         add = others.add
         if taught is not None:
             add(-0.9, taught[n])
+        for thing in things:
+            if _in_line(values, thing, n):
+                add(IN_LINE, thing[n])
         for k, other in enumerate(near):
             add(0.15 + 0.1 * k, other[n])
         for each in beside:
-            add(0.05, each[n])
+            add(SQUARE if _is_square(values, each, n) else 0.05, each[n])
         if n < 3:
             _lengths(asked, n, value, columns[n], frames, add)
         else:
@@ -103,6 +134,7 @@ def _single(
                 wanted = components(X_WT)
                 if all(abs(values[k] - wanted[k]) < 1.0 for k in range(3, POSE) if k != n):
                     add(-0.4, wanted[n])
+        meant = MEASURED if any(_is_at(values, thing, n) for thing in things) else 0.0
         item = row.node.values[n]
         for other, unusual in others.found.items():
             doubt = 0.0 if unusual <= MEANT or is_round(other) else UNROUND
@@ -113,8 +145,28 @@ def _single(
                 item,
                 written_number(other),
                 unusual=unusual + 0.5 * as_taught,
-                doubt=doubt + as_taught,
+                doubt=doubt + max(as_taught, meant),
             )
+
+
+def _in_line(values: Row, thing: Row, n: int) -> bool:
+    """Return whether a location would be over a thing, or in it, but for its X or for its Y."""
+    return (
+        n < 2
+        and abs(values[1 - n] - thing[1 - n]) <= SAME
+        and SAME < abs(values[n] - thing[n]) < ASIDE
+    )
+
+
+def _is_at(values: Row, thing: Row, n: int) -> bool:
+    """Return whether the X or the Y of a location is that of a thing which is not far from it."""
+    return n < 2 and abs(values[n] - thing[n]) <= SAME and math.dist(values[:2], thing[:2]) < ABOUT
+
+
+def _is_square(values: Row, other: Row, n: int) -> bool:
+    """Return whether the way from a location to another is along an axis, but for one value."""
+    apart = [k for k in range(3) if abs(values[k] - other[k]) > SAME]
+    return len(apart) == 2 and n in apart
 
 
 def _beside(asked: Asked, row: WrittenRow) -> list[Row]:
@@ -252,7 +304,8 @@ def _several(asked: Asked, row: WrittenRow) -> Iterator[Candidate]:
     for X_WT in asked.blame.poses:
         yield _row(asked, row, components(X_WT), Does.ROW, 0.4, priced=2)
     name = key(name_of(row.node.target))
-    for taught, other in asked.taught.items():
+    bodies = {body.name: components(body.X_WO) for body in asked.scene.bodies if body.name == name}
+    for taught, other in (bodies | asked.taught).items():
         same = taught == name
         yield _row(
             asked,
@@ -283,8 +336,18 @@ def _row(
     ]
     old = " ".join(asked.text_of(row.node.values[n]) for n in different)
     new = " ".join(written_number(other[n]) for n in different)
+    things = [components(body.X_WO) for body in asked.scene.bodies]
+    meant = any(_is_at(values, thing, n) for thing in things for n in different)
     return asked.candidate(
-        does, row.line, edits, size=len(different), unusual=unusual, priced=priced, old=old, new=new
+        does,
+        row.line,
+        edits,
+        size=len(different),
+        unusual=unusual,
+        priced=priced,
+        old=old,
+        new=new,
+        doubt=MEASURED if meant else 0.0,
     )
 
 
@@ -378,40 +441,6 @@ def _all_rows(asked: Asked, rows: Sequence[WrittenRow]) -> Iterator[Candidate]:
         yield together(others, 0.9, "every row", "as the scene says")
 
 
-def _missing(asked: Asked) -> Iterator[Candidate]:
-    """Yield rows that the program names and does not have, as the scene says."""
-    written = asked.written
-    used = {key(part.text) for step in written.steps for part in names_in(step)}
-    source = written.source
-    for name in sorted(used - asked.defined):
-        if name in asked.arrays:
-            continue
-        taught = asked.taught.get(name)
-        given = [(0.0, taught)] if taught is not None else _guessed(asked, name)
-        for unusual, values in given:
-            numbers = " ".join(f"{written_number(x):>9}" for x in values)
-            line = f"{name:<13}{numbers}\n"
-            lines = sorted(written.data_lines)
-            if lines:
-                at = written.line_start(lines[0] + 1)
-                text = line
-            else:
-                at = len(written.text)
-                ended = "" if written.text.endswith("\n") else "\n"
-                text = f"{ended}.LOCATIONS\n{line}.END\n"
-            where = lines[0] + 1 if lines else len(source.line_starts)
-            yield asked.candidate(
-                Does.ROW,
-                where,
-                (replacement(source, at, at, text),),
-                size=7,
-                priced=1,
-                against=0.0,
-                unusual=unusual,
-                new=line.strip(),
-            )
-
-
 def _with_steps(asked: Asked, whole: Candidate, unit: float) -> Candidate:
     """Return the table in another unit, with the distances of the steps in that unit, too."""
     source = asked.written.source
@@ -425,29 +454,3 @@ def _with_steps(asked: Asked, whole: Candidate, unit: float) -> Candidate:
     new = f"times {unit:g}, and so every distance"
     change = whole.change._replace(edits=edits, size=len(edits), new=new)
     return whole._replace(cost=whole.cost + 0.1, change=change)
-
-
-def _guessed(asked: Asked, name: str) -> Iterator[tuple[float, Row]]:
-    """Yield where a location may be that nobody taught: of things, of goals, beside its neighbours.
-
-    A way that goes round something mostly changes one of X, Y and Z at a time.
-    """
-    for body in asked.scene.bodies:
-        if body.name == name:
-            yield 0.0, components(body.X_WO)
-    for goal in asked.task.goals:
-        for choice in goal.choices:
-            yield 0.4, components(choice.X_WG)
-    known = {key(name_of(row.node.target)): values_of(row) for row in asked.written.rows}
-    named = [key(each.text) for step in asked.written.steps for each in names_in(step)]
-    k = named.index(name) if name in named else 0
-    before = next((known[n] for n in reversed(named[:k]) if n in known), None)
-    after = next((known[n] for n in named[k + 1 :] if n in known), None)
-    if before is None or after is None or len(before) < POSE or len(after) < POSE:
-        return
-    for via in asked.task.vias:
-        place = components(Pose(IDENTITY_ROTATION, via.point))
-        yield 0.3, (*place[:3], *after[3:])
-    for x, y, z in ((1, 0, 1), (0, 1, 0), (1, 0, 0), (0, 1, 1), (0, 0, 1), (1, 1, 0)):
-        mixed = [(before, after)[way][n] for n, way in enumerate((x, y, z))]
-        yield 0.35, (*mixed, *after[3:])

@@ -24,6 +24,8 @@ NEEDED = 0.4  # what a teacher says against a motion that is too much, unless it
 EARLIER = 0.06  # of two steps that are alike the later one is too much
 THERE = 0.5  # what a teacher says against a step more that stands there already, nearly
 OTHERWISE = 0.6  # and against a program that nobody calls, called by another than the first
+AMID = 2  # steps beside a READY of which one is of a visit
+OFF = 0.8  # what a teacher says against leaving a way past several places for one that it has been
 EARLY = 0.02  # for each step before it: a number is set at the beginning
 SURELY = 0.7  # of a step that is as much to blame as this
 GONE_BY = 0.2  # that a teacher says less against it, for each node
@@ -63,7 +65,7 @@ def _without(asked: Asked, step: WrittenStep, steps: tuple[WrittenStep, ...]) ->
         not stops
         and sum(each.program == step.program and same(step.text, each.text) for each in near) > 1
     )
-    rare = step.text.split()[0].upper() in RARE
+    rare = step.text.split()[0].upper() in RARE or _is_amid(asked, k)
     plain = isinstance(step.statement, Simple) and not any(names_in(step))
     alone = any(
         asked.used[name] == 1 and name in asked.row_names
@@ -87,6 +89,26 @@ def _without(asked: Asked, step: WrittenStep, steps: tuple[WrittenStep, ...]) ->
         if stops or not (plain or twice)
         else 0.0,
     )
+
+
+def _is_amid(asked: Asked, k: int) -> bool:
+    """Return whether a step is READY with motions before and behind it: it is far from them."""
+    steps = asked.written.steps
+    if getattr(steps[k].statement, "word", "") != "READY":
+        return False
+    beside = (steps[max(k - AMID, 0) : k], steps[k + 1 : k + 1 + AMID])
+    return all(
+        any(each.program == steps[k].program and stop_of(each) is not None for each in some)
+        for some in beside
+    )
+
+
+def _is_on_way(asked: Asked, line: int, text: str) -> bool:
+    """Return whether a step goes back to a place between two motions past places like it."""
+    ways = asked.ways
+    behind = next((k for k, each in enumerate(asked.written.steps) if each.line >= line), 0)
+    beside = asked.written.steps[max(behind - 1, 0) : behind + 1]
+    return text in ways and len(beside) == 2 and all(each.text in ways for each in beside)
 
 
 def _more(asked: Asked, k: int, wanted: list[Wanted]) -> Iterator[Candidate]:
@@ -142,6 +164,7 @@ def _added(
         - (GONE_BY * (each.size - 1) if each.text in asked.ways else 0.0)
         + 0.2 * (each.size - 1)
         + (IDLE_HAND if idle_hand(asked, line, each.text) else 0.0)
+        + (OFF if _is_on_way(asked, line, each.text) else 0.0)
         + (THERE if there(asked, beside, line, each.text) else 0.0),
         group=-at if each.size == 1 else hash_of(each.text),
     )

@@ -7,6 +7,7 @@ from vrts.repair.table.names import other_names
 from vrts.repair.table.numbers import other_numbers
 from vrts.repair.table.rows import other_rows
 from vrts.repair.table.steps import other_steps
+from vrts.repair.table.untaught import untaught
 from vrts.repair.table.ways import turned_round
 from vrts.repair.table.words import other_words
 
@@ -19,6 +20,7 @@ def candidates(asked: Asked) -> list[Candidate]:
         *other_words(asked),
         *other_numbers(asked),
         *other_rows(asked),
+        *untaught(asked),
         *other_names(asked),
         *other_steps(asked),
     ]

@@ -25,6 +25,7 @@ from vrts.lang.syntax.statements import (
 )
 from vrts.repair.nodes import nodes_of_step, operands, parts
 from vrts.repair.table.asked import Asked, names_in, target_of, written_number
+from vrts.repair.table.forgotten import forgotten
 from vrts.repair.written import WrittenStep
 
 BLOCKS = (For, If, While, Until, Case, ValueGroup, Structure, Declare)
@@ -84,6 +85,10 @@ def wanted_steps(asked: Asked) -> Iterator[Wanted]:
             if other not in seen:
                 seen.add(other)
                 yield Wanted(other, nodes_of_step(step.statement), -0.5, 1.2)
+    for text, size, unusual, trust in forgotten(asked):
+        if text not in seen:
+            seen.add(text)
+            yield Wanted(text, size, unusual, trust)
     for text, size in _calls_of_arrays(asked):
         yield Wanted(text, size, FOR_ALL - 0.3 * size, 0.5)
     for name, values in _unset(asked).items():

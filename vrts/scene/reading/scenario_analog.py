@@ -4,11 +4,11 @@ from vrts.base.diagnostic import Label, Rule
 from vrts.base.source import Span
 from vrts.base.toml.reading import Table
 from vrts.scene.reading.scenario_signals import (
-    DRIVEN_TWICE,
     LATEST_S,
     MOST_CHANGES,
     MOST_ENTRIES,
     check_count,
+    driven_once,
 )
 
 ANALOG_UNCLEAR = Rule("V565", "analog-input-unclear")
@@ -27,7 +27,7 @@ def read_analog(top: Table) -> tuple[Change, ...]:
     changes: list[Change] = []
     for table in tables if few else ():
         channel, own = _entry(table)
-        if channel is not None and driven_once(table, channel, driven):
+        if channel is not None and driven_once(table, "channel", channel, driven):
             changes += own
     what = "changes of analog inputs"
     few = check_count(top.problems, len(changes), MOST_CHANGES, what, span)
@@ -37,29 +37,6 @@ def read_analog(top: Table) -> tuple[Change, ...]:
 def read_channel(table: Table) -> int | None:
     """Return the number of the analog input that a table is about."""
     return table.integer("channel", minimum=FIRST_CHANNEL, maximum=LAST_CHANNEL, required=True)
-
-
-def driven_once(table: Table, channel: int, driven: dict[int, Span]) -> bool:
-    """Return whether a table is the first about an analog input; report it if not.
-
-    Args:
-        table: The table.
-        channel: Of the analog input.
-        driven: Where those before it name theirs; this one is added.
-    """
-    span = table.value_span("channel")
-    if channel not in driven:
-        driven[channel] = span
-        return True
-    table.problems.error(
-        DRIVEN_TWICE,
-        f"two entries are about analog input {channel}",
-        span,
-        secondary=(Label(driven[channel], "the other one"),),
-        help=("say all that it reads in one `[[analog]]`",),
-        data={"channel": channel},
-    )
-    return False
 
 
 def whole(table: Table, key: str, numbers: tuple[float, ...]) -> bool:

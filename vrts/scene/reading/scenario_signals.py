@@ -23,6 +23,10 @@ FLAT_REGION = Rule("V476", "flat-region")
 BLIND_SENSOR = Rule("V477", "blind-sensor")
 TOO_MANY = Rule("V480", "too-many-entries")
 
+TWICE = {  # what two entries for one input do, and what to do instead
+    "signal": ("change input", "give all its times in one `[[inputs]]`, or leave it to one sensor"),
+    "channel": ("are about analog input", "say all that it reads in one `[[analog]]`"),
+}
 FIRST_INPUT, LAST_INPUT = 1001, 1032  # [assumed, manual language/signals#ranges]
 LATEST_S = 7200.0  # any time in a scenario [s]
 FARTHEST_MM = 10_000.0  # any corner of a region
@@ -50,13 +54,17 @@ def read_inputs(top: Table, scene: Scene) -> Inputs:
     changes: list[tuple[float, int, bool]] = []
     for table in _entries(top, "inputs"):
         signal, own = _input(table)
-        if signal is not None and _driven_once(table, signal, driven):
+        if signal is not None and driven_once(table, "signal", signal, driven):
             changes += [(change.time_s, signal, change.on) for change in own]
     check_count(problems, len(changes), MOST_CHANGES, "changes of inputs", top.span_of("inputs"))
     sensors: list[Sensor] = []
     for table in _entries(top, "sensors"):
         signal, sensor = _sensor(table, scene)
-        if signal is not None and _driven_once(table, signal, driven) and sensor is not None:
+        if (
+            signal is not None
+            and driven_once(table, "signal", signal, driven)
+            and sensor is not None
+        ):
             sensors.append(sensor)
     return Inputs(tuple(sorted(changes)), tuple(sensors))
 
@@ -91,18 +99,27 @@ def _signal(table: Table, *, required: bool = True) -> int | None:
     return table.integer("signal", minimum=FIRST_INPUT, maximum=LAST_INPUT, required=required)
 
 
-def _driven_once(table: Table, signal: int, driven: dict[int, Span]) -> bool:
-    span = table.value_span("signal")
-    if signal not in driven:
-        driven[signal] = span
+def driven_once(table: Table, key: str, number: int, driven: dict[int, Span]) -> bool:
+    """Return whether a table is the first about an input; report it if not.
+
+    Args:
+        table: The table.
+        key: Under which it names its input: one of `TWICE`.
+        number: Of the input.
+        driven: Where those before it name theirs; this one is added.
+    """
+    span = table.value_span(key)
+    if number not in driven:
+        driven[number] = span
         return True
+    said, what_to_do = TWICE[key]
     table.problems.error(
         DRIVEN_TWICE,
-        f"two entries change input {signal}",
+        f"two entries {said} {number}",
         span,
-        secondary=(Label(driven[signal], "the other one"),),
-        help=("give all its times in one `[[inputs]]`, or leave it to one sensor",),
-        data={"signal": signal},
+        secondary=(Label(driven[number], "the other one"),),
+        help=(what_to_do,),
+        data={key: number},
     )
     return False
 
