@@ -12,13 +12,10 @@ from vrts.lang.syntax.expressions import Element, Name, Number
 from vrts.repair.edit import Candidate, Does, replacement
 from vrts.repair.table.asked import Asked, components, name_of, names_in, written_number
 from vrts.repair.table.numbers import (
-    AWAY,
     BESIDE,
     FACTORS,
     mistyped,
-    numbers_of,
     value_of,
-    word_of,
 )
 from vrts.repair.written import WrittenRow
 
@@ -46,22 +43,20 @@ UNITS = (25.4, 10.0, 1000.0, 0.1, 1 / 25.4)
 
 def other_rows(asked: Asked) -> Iterator[Candidate]:
     """Yield every row of locations with other values."""
-    rows = [row for row in asked.written.rows if _is_pose(row)]
+    rows = [row for row in asked.written.rows if is_pose(row)]
     frames = _frames(rows)
     columns = [sorted({round(values_of(row)[n], 2) for row in rows}) for n in range(POSE)]
     for row in rows:
         if asked.matters(row.line):
             yield from _single(asked, row, columns, frames)
             yield from _several(asked, row)
-    yield from _exchanged(asked, rows)
-    yield from _all_rows(asked, rows)
 
 
 def slipped_rows(asked: Asked) -> frozenset[int]:
     """Return the lines of locations that differ from what the scene says in a few values."""
     found: set[int] = set()
     for row in asked.written.rows:
-        taught = asked.taught.get(key(name_of(row.node.target))) if _is_pose(row) else None
+        taught = asked.taught.get(key(name_of(row.node.target))) if is_pose(row) else None
         if taught is None or not asked.matters(row.line):
             continue
         apart = sum(abs(a - b) > SAME for a, b in zip(values_of(row), taught, strict=True))
@@ -74,7 +69,7 @@ def as_taught(asked: Asked) -> Iterator[Candidate]:
     """Yield each location that differs from what the scene says by a slip, as the scene says."""
     lines = slipped_rows(asked)
     for row in asked.written.rows:
-        if row.line in lines and _is_pose(row):
+        if row.line in lines and is_pose(row):
             taught = asked.taught[key(name_of(row.node.target))]
             yield _row(asked, row, taught, Does.ROW, -0.9, priced=1.2)
 
@@ -84,7 +79,8 @@ def values_of(row: WrittenRow) -> tuple[float, ...]:
     return tuple(value_of(value) for value in row.node.values if isinstance(value, Number))
 
 
-def _is_pose(row: WrittenRow) -> bool:
+def is_pose(row: WrittenRow) -> bool:
+    """Return whether a row is of a location by X, Y, Z, O, A, T."""
     return (
         row.kind == "locations"
         and len(row.node.values) == POSE
@@ -113,7 +109,7 @@ def _single(
     things = [components(body.X_WO) for body in asked.scene.bodies]
     near = _nearest(asked, values)
     beside = _beside(asked, row)
-    as_taught = AS_TAUGHT if _as_taught(asked, row, row.node.target) else 0.0
+    as_taught = AS_TAUGHT if is_as_taught(asked, row, row.node.target) else 0.0
     for n, value in enumerate(values):
         others = Others(value)
         add = others.add
@@ -172,7 +168,7 @@ def _is_square(values: Row, other: Row, n: int) -> bool:
 def _beside(asked: Asked, row: WrittenRow) -> list[Row]:
     """Return the locations that steps name just before and after one: ways are mostly square."""
     mine = key(name_of(row.node.target))
-    known = {key(name_of(each.node.target)): each for each in asked.written.rows if _is_pose(each)}
+    known = {key(name_of(each.node.target)): each for each in asked.written.rows if is_pose(each)}
     named = [key(each.text) for step in asked.written.steps for each in names_in(step)]
     named = [name for name in named if name in known]
     beside = {
@@ -289,9 +285,7 @@ def _several(asked: Asked, row: WrittenRow) -> Iterator[Candidate]:
                     other = list(values)
                     other[i], other[j] = other[j], other[i]
                     yield _row(asked, row, other, Does.ORDER, 0.1 - 0.3)
-    usual = median(
-        math.hypot(*values_of(each)[:3]) for each in asked.written.rows if _is_pose(each)
-    )
+    usual = median(math.hypot(*values_of(each)[:3]) for each in asked.written.rows if is_pose(each))
     small = math.hypot(*values[:3]) < SMALL * usual
     for k, unit in enumerate(UNITS):
         other = [*(tidy(x * unit, unit) for x in values[:3]), *values[3:]]
@@ -360,32 +354,7 @@ def _nearest(asked: Asked, values: Row) -> list[tuple[float, ...]]:
     return sorted(asked.taught.values(), key=unlike)[:2]
 
 
-def _exchanged(asked: Asked, rows: Sequence[WrittenRow]) -> Iterator[Candidate]:
-    """Yield two rows with their names exchanged."""
-    source = asked.written.source
-    for k, one in enumerate(rows):
-        for other in rows[k + 1 :]:
-            if not (asked.matters(one.line) or asked.matters(other.line)):
-                continue
-            a, b = one.node.target, other.node.target
-            edits = (
-                replacement(source, a.start, a.end, asked.text_of(b)),
-                replacement(source, b.start, b.end, asked.text_of(a)),
-            )
-            line = min(one.line, other.line, key=asked.against)
-            right = _as_taught(asked, one, b) and _as_taught(asked, other, a)
-            yield asked.candidate(
-                Does.ORDER,
-                line,
-                edits,
-                size=2,
-                unusual=-0.9 if right else 0.4,
-                old=f"{asked.text_of(a)} {asked.text_of(b)}",
-                new=f"{asked.text_of(b)} {asked.text_of(a)}",
-            )
-
-
-def _as_taught(asked: Asked, row: WrittenRow, name: Name | Element) -> bool:
+def is_as_taught(asked: Asked, row: WrittenRow, name: Name | Element) -> bool:
     """Return whether the scene teaches the values of a row under another name."""
     known = key(name_of(name))
     things = [components(body.X_WO) for body in asked.scene.bodies if body.name == known]
@@ -394,63 +363,3 @@ def _as_taught(asked: Asked, row: WrittenRow, name: Name | Element) -> bool:
         all(abs(a - b) <= SAME for a, b in zip(values_of(row), each, strict=True))
         for each in (*things, *(() if taught is None else (taught,)))
     )
-
-
-def _all_rows(asked: Asked, rows: Sequence[WrittenRow]) -> Iterator[Candidate]:
-    """Yield the whole table in another unit, or with two columns exchanged: one mistake."""
-    if len(rows) < 2:
-        return
-    source = asked.written.source
-    line = min((row.line for row in rows), key=asked.against)
-
-    def together(others: Sequence[Row], unusual: float, old: str, new: str) -> Candidate:
-        edits = [
-            replacement(source, value.start, value.end, written_number(x))
-            for row, other in zip(rows, others, strict=True)
-            for value, before, x in zip(row.node.values, values_of(row), other, strict=True)
-            if abs(before - x) > SAME
-        ]
-        return asked.candidate(
-            Does.ROW,
-            line,
-            edits,
-            size=len(edits),
-            priced=1.8,
-            unusual=unusual,
-            old=old,
-            new=new,
-        )
-
-    for unit in UNITS:
-        others = [
-            [*(tidy(x * unit, unit) for x in values_of(row)[:3]), *values_of(row)[3:]]
-            for row in rows
-        ]
-        whole = together(others, 0.0, "every row", f"times {unit:g}")
-        yield whole
-        yield _with_steps(asked, whole, unit)
-    for i, j in ((0, 1), (1, 2), (0, 2), (3, 4), (4, 5), (3, 5)):
-        others = [list(values_of(row)) for row in rows]
-        for each in others:
-            each[i], each[j] = each[j], each[i]
-        said = f"{'XYZOAT'[i]} and {'XYZOAT'[j]} exchanged"
-        yield together(others, -0.1, "every row", said)
-    taught = [asked.taught.get(key(name_of(row.node.target))) for row in rows]
-    if any(taught):
-        others = [t or values_of(row) for t, row in zip(taught, rows, strict=True)]
-        yield together(others, 0.9, "every row", "as the scene says")
-
-
-def _with_steps(asked: Asked, whole: Candidate, unit: float) -> Candidate:
-    """Return the table in another unit, with the distances of the steps in that unit, too."""
-    source = asked.written.source
-    distances = [
-        replacement(source, item.start, item.end, written_number(tidy(value_of(item) * unit, unit)))
-        for step in asked.written.steps
-        if word_of(step.statement) in AWAY
-        for item, _ in numbers_of(step.statement)
-    ]
-    edits = (*whole.change.edits, *distances)
-    new = f"times {unit:g}, and so every distance"
-    change = whole.change._replace(edits=edits, size=len(edits), new=new)
-    return whole._replace(cost=whole.cost + 0.1, change=change)
