@@ -10,6 +10,7 @@ from pathlib import Path
 from sphinx.application import Sphinx
 from sphinx.util.docutils import docutils_namespace, patch_docutils
 
+from vrts.site.accessible import accessible, finding_beginnings
 from vrts.site.configuration import configuration
 from vrts.site.generated.assumptions_page import assumptions_page
 from vrts.site.generated.cheat_sheet import cheat_sheet
@@ -51,6 +52,10 @@ def build(root: Path, html: Path, man: Path) -> str:
             out = Path(work) / builder
             said = _sphinx(source, out, trees, builder).replace(f"{source}/", "")
             faults |= dict.fromkeys(said.splitlines())
+            for page in out.rglob("*.html"):
+                page.write_text(accessible(page.read_text("utf-8")), "utf-8")
+            for script in out.glob("_static/searchtools.js"):
+                script.write_text(finding_beginnings(script.read_text("utf-8")), "utf-8")
             for left in NOT_NEEDED:
                 (out / left).unlink(missing_ok=True)
             shutil.copytree(out, name, dirs_exist_ok=True)

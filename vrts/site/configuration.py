@@ -38,6 +38,8 @@ def _html() -> dict[str, Any]:
         "html_title": f"vrts {__version__}",
         "html_static_path": [str(STATIC)],
         "html_css_files": ["manual.css"],
+        "html_js_files": ["manual.js"],
+        "html_search_scorer": str(STATIC / "scorer.js"),
         "html_copy_source": False,
         "html_show_sourcelink": False,
         "html_show_search_summary": False,  # a page from a file may not read others

@@ -7,7 +7,7 @@ from pathlib import Path
 
 NOTE = "made-of.txt"  # beside the built pages
 _FOLDERS = ("vrts", "examples", "tests/spec")
-_SUFFIXES = {".py", ".md", ".css", ".toml", ".lark", ".png", ".svg", ".json"}
+_SUFFIXES = {".py", ".md", ".css", ".js", ".toml", ".lark", ".png", ".svg", ".json"}
 _OURS = {"built", "man", "vendor", "__pycache__"}  # folders that are not looked into
 _TOOLS = ("sphinx", "furo", "myst-parser", "pygments", "docutils", "click")
 
