@@ -70,7 +70,7 @@ def _file(package: Path, module: str) -> Path | None:
 def _described(node: Definition) -> str:
     if isinstance(node, ast.FunctionDef):
         return f"(python-{node.name.lower()})=\n## {text(node.name)}\n\n{_function(node)}"
-    pieces = [f"(python-{node.name.lower()})=\n## {text(node.name)}\n"]
+    pieces = [f"(python-class-{node.name.lower()})=\n## {text(node.name)}\n"]
     pieces.append(docstring(ast.get_docstring(node) or ""))
     fields = [
         f"{code(ast.unparse(item.target))}\n: {code(ast.unparse(item.annotation))}\n"
