@@ -37,5 +37,5 @@ def _table(table: str) -> str:
     head = _HEAD.search(table)
     if head is not None and '<th class="head"><p>' not in _EMPTY_HEAD.sub("", head[0]):
         table = _HEAD.sub("", table, count=1)
-    table = _EMPTY_HEAD.sub("<td></td>", table)
+    table = _EMPTY_HEAD.sub(r'<td class="head"></td>', table)
     return _FIRST_CELL.sub(r'\1<th scope="row">\2</th>', table)
