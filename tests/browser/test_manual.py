@@ -23,7 +23,7 @@ PAGES = (
     "understand/assumptions",
     "search",
 )
-OFTEN = PAGES[:1] + PAGES[3:5]
+OFTEN = ("index", "look-up/cheat-sheet")
 
 
 def page_of(name: str) -> Path:
