@@ -439,6 +439,27 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/property/test_poses.py",),
     ),
     Patch(
+        "a hand-in brings the task that it is marked by",
+        "vrts/pipeline/finding/task_of.py",
+        "first = handed_in[-1] + 1 if handed_in else int(folder.name == STAFF)",
+        "first = int(folder.name == STAFF)",
+        ("tests/unit/pipeline/finding/test_task_of.py",),
+    ),
+    Patch(
+        "the name of a task depends on where one stands",
+        "vrts/pipeline/settings.py",
+        "task, found = read_task(source, setting.scene, name)",
+        "task, found = read_task(source, setting.scene)",
+        ("tests/unit/marking/appeals/test_evidence_anywhere.py",),
+    ),
+    Patch(
+        "a call ends well though nobody could read what it said",
+        "vrts/cli/grammar/ending.py",
+        "    return WRONG_CALL\n",
+        "    return 0\n",
+        ("tests/unit/cli/grammar/test_endings.py",),
+    ),
+    Patch(
         "an assessment without a schema",
         "vrts/report/formats/json_form.py",
         '        "schema": ASSESSMENT_SCHEMA,\n',
