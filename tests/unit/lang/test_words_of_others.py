@@ -61,7 +61,7 @@ def test_what_is_certain_has_an_edit(step: str, meant: str) -> None:
     [
         ("heights.append(n)", "`heights[i] = n`"),
         ("DLYSIG 5, 2", "`WAIT TIMER(1) >= 2` and `SIGNAL 5`"),
-        ("PULSE 3, 0.5", "`SIGNAL 3`, `DELAY 0.5`, `SIGNAL -3`"),
+        ("PULSE 3, 0.5", "`SIGNAL 3`, `DELAY 0.5`, `BREAK`, `SIGNAL -3`"),
         ("MoveL part, v200, fine, tool0", "`SPEED 200 MMPS`"),
         ("sync()", "leave it out"),
         ("stopj(2)", "BRAKE"),

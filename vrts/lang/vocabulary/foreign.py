@@ -39,7 +39,7 @@ FOREIGN = {
     "NEST": ("VAL", "use READY"),
     "NEXT": ("V+", "a FOR loop ends with END"),
     "PRINT": ("AS", "use TYPE"),
-    "PULSE": ("AS", "use SIGNAL, DELAY and SIGNAL again"),
+    "PULSE": ("AS", "use SIGNAL, DELAY, BREAK and SIGNAL again"),
     "REMARK": ("VAL", "begin comments with `;`"),
     "REPEAT": ("other languages", "use DO and UNTIL"),
     "REST": ("VAL", "use READY"),

@@ -34,7 +34,7 @@ KAREL = (
     Idiom("<write|writeln> ( cr )", "TYPE", "Karel"),
     Idiom("ualm [ {r} ]", "", _OF, help='write `HALT "text"`, which ends the execution with that text'),
     # pulses, conditions and the rest
-    Idiom("pulse_dout [ {d} ]_for_{d2} {r}", "", "Karel", help="write `SIGNAL {d}`, `DELAY 0.5` and `SIGNAL -{d}`, each on a line of its own, with the time in seconds"),
+    Idiom("pulse_dout [ {d} ]_for_{d2} {r}", "", "Karel", help="write `SIGNAL {d}`, `DELAY 0.5`, `BREAK` and `SIGNAL -{d}`, each on a line of its own, with the time in seconds"),
     Idiom("skip_condition {r}", "", _OF, help="write `REACTI 1001, program` before the motion, with the signal: it stops the motion, and calls the program"),
     Idiom("<condition [ {r} ]|global_condition [ {r} ]> {r2}", "", "Karel", help="write `REACTI 1001, program`, with the signal: that program is called when it comes on"),
     Idiom("<enable|disable|purge>_condition [ {r} ]", "", "Karel", help="`REACTI 1001, program` watches a signal, `IGNORE 1001` ends that"),

@@ -37,8 +37,8 @@ KRL = (
     Idiom("move_{v}_<c_ptp|c_dis|c_vel|c_ori|c_spl>", "MOVE {v}", says="MOVE takes the location alone", note="motions run into each other while CP is on"),
     Idiom("moves_{v}_<c_ptp|c_dis|c_vel|c_ori|c_spl>", "MOVES {v}", says="MOVES takes the location alone", note="motions run into each other while CP is on"),
     # signals and channels
-    Idiom("pulse ( $out [ {d} ] , true , {e} )", "SIGNAL {d}\nDELAY {e}\nSIGNAL -{d}", _OF, sure=False),
-    Idiom("pulse ( $out [ {d} ] , false , {e} )", "SIGNAL -{d}\nDELAY {e}\nSIGNAL {d}", _OF, sure=False),
+    Idiom("pulse ( $out [ {d} ] , true , {e} )", "SIGNAL {d}\nDELAY {e}\nBREAK\nSIGNAL -{d}", _OF, sure=False),
+    Idiom("pulse ( $out [ {d} ] , false , {e} )", "SIGNAL -{d}\nDELAY {e}\nBREAK\nSIGNAL {d}", _OF, sure=False),
     Idiom("$out [ {v} ] = <true|on|1>", "SIGNAL {v}", _OF),
     Idiom("$out [ {v} ] = <false|off|0>", "SIGNAL -{v}", _OF),
     Idiom("anin_on_{v} = {r}", "", _OF, help="write `{v} = ADC(1)`, with the number of the channel"),

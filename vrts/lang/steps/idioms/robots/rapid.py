@@ -34,8 +34,8 @@ RAPID = (
     Idiom("<setdo|set_do>_<do_|do> {d} , <off|false|0|low>", "SIGNAL -{d}", _OF),
     Idiom("<setgo|setao|set_ao|set_go>_{n} , {e}", "", _OF, help="for several signals at once write `BITS 1, 4 = {e}`, for an analog output `DAC 1 = {e}`, with its number", note=_NUMBERED),
     Idiom("invertdo_{r}", "", _OF, help="ask for the output, and set it: `IF SIG(1) THEN`, `SIGNAL -1`, `ELSE`, `SIGNAL 1`, `END`, with its number", note=_NUMBERED),
-    Idiom("pulsedo \\ plength := {e} , <do_|do> {d}", "SIGNAL {d}\nDELAY {e}\nSIGNAL -{d}", _OF, sure=False),
-    Idiom("pulsedo \\ plength := {e} , {n}", "", _OF, help="write `SIGNAL 3`, `DELAY {e}` and `SIGNAL -3`, each on a line of its own, with the number of that output", note=_NUMBERED),
+    Idiom("pulsedo \\ plength := {e} , <do_|do> {d}", "SIGNAL {d}\nDELAY {e}\nBREAK\nSIGNAL -{d}", _OF, sure=False),
+    Idiom("pulsedo \\ plength := {e} , {n}", "", _OF, help="write `SIGNAL 3`, `DELAY {e}`, `BREAK` and `SIGNAL -3`, each on a line of its own, with the number of that output", note=_NUMBERED),
     # clocks
     Idiom("<clkreset|clkstart>_<clock_|clock|clk|timer|t> {d}", "TIMER {d} = 0", _OF, note="a timer counts on from what it is given"),
     Idiom("<clkreset|clkstart>_{n}", "TIMER 1 = 0", _OF, note="a timer counts on from what it is given"),

@@ -145,7 +145,7 @@ _OF_VALUES = (
     Idiom("XMOVE_{l}_TILL_{d}", "MOVES {l}", of="AS", says="V+ stops a motion by REACTI", help="write `REACTI {d}` before `MOVES {l}`, and `IGNORE {d}` behind it", sure=False),
     Idiom("<C1MOVE|C2MOVE>_{l}", "MOVES {l}", of="AS", says="V+ goes along an arc by points on it", help="compute points on the arc, and write `MOVES {l}` for each", sure=False),
     Idiom("WEIGHT_{d} {r}", "PAYLOAD {d}", of="AS", says="PAYLOAD says in V+ how heavy the part is", sure=False),
-    Idiom("DLYSIG_{d} , {e}", "DELAY {e}\nSIGNAL {d}", of="AS", says="V+ has no DLYSIG", sure=False),
+    Idiom("DLYSIG_{d} , {e}", "DELAY {e}\nBREAK\nSIGNAL {d}", of="AS", says="V+ has no DLYSIG", sure=False),
     Idiom("UTIMER_@{n} = {e}", "TIMER 1 = {e}", of="AS", says="timers of V+ have numbers", sure=False),
     Idiom("<SETHOME|SET2HOME>_{r}", of="AS", says="V+ has no SETHOME", help="keep a location for it, as in `HERE rest`, and go there by `MOVE rest`"),
     Idiom("SVALUE_{r}", "VALUE {r}", of="AS", says="a group of a CASE begins with VALUE in V+", sure=False),
@@ -205,5 +205,5 @@ VPLUS_SLIPS = (
     Idiom("DRAW_{e} , {e2} , {e3}", "MOVES SHIFT(HERE BY {e}, {e2}, {e3})", of="VAL", says="V+ has no DRAW", note="SHIFT moves a location along X, Y and Z of the world"),
     Idiom("<START|RUN|SPAWN|THREAD|TASK>_{n}", says="EXECUTE runs a program beside this one in V+", help="write `EXECUTE 1 {n}()` to run it beside this one, or `CALL {n}()` to wait for it"),
     Idiom("<START|RUN|SPAWN|THREAD|TASK>_{n} ( )", says="EXECUTE runs a program beside this one in V+", help="write `EXECUTE 1 {n}()` to run it beside this one, or `CALL {n}()` to wait for it"),
-    Idiom("PULSE_{d} , {e}", "SIGNAL {d}\nDELAY {e}\nSIGNAL -{d}", of="AS", says="V+ has no PULSE", sure=False),
+    Idiom("PULSE_{d} , {e}", "SIGNAL {d}\nDELAY {e}\nBREAK\nSIGNAL -{d}", of="AS", says="V+ has no PULSE", sure=False),
 )
