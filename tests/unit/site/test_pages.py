@@ -189,6 +189,12 @@ def test_a_docstring_without_sections_is_a_paragraph() -> None:
     assert docstring("One.\n\nTwo,\nthree.") == "One.\n\nTwo, three.\n\n"
 
 
+def test_what_is_set_off_in_a_docstring_is_code() -> None:
+    assert docstring("Like this::\n\n    x = 1\n    y = 2") == (
+        "Like this:\n\n```python\nx = 1\ny = 2\n```\n\n"
+    )
+
+
 # --- lessons --------------------------------------------------------------------------------------
 
 

@@ -130,8 +130,10 @@ def _pieces(words: str) -> Iterator[str]:
             yield block("pycon", _flush(body))
         elif section in ("Args", "Raises", "Attributes"):
             yield _named(_flush(body))
+        elif not section and all(line.startswith("    ") for line in lines):
+            yield block("python", _flush(body))
         elif body.strip():
-            yield text(body) + "\n"
+            yield text(body.removesuffix("::") + (":" if body.endswith("::") else "")) + "\n"
 
 
 def _flush(body: str) -> str:
