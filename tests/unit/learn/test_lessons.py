@@ -38,6 +38,8 @@ def test_the_six_lessons_are_bundled_in_their_order_with_steps_of_minutes() -> N
         readme = (one.folder / "README.md").read_text("utf-8")
         headings = re.findall(r"^## (.*)$", readme, re.M)
         for step in one.lesson.steps:
+            if isinstance(step.wish, ProgramWish) and step.wish.finds is not None:
+                assert (ROOT / "vrts" / "pages" / f"{step.wish.finds}.md").is_file()
             assert step.tries, step.title
             assert all(command.split()[0] in {"vrts", "cp"} for command in step.tries)
             assert step.part in headings or re.fullmatch(r"\d (?:to|and) \d", step.part), step.part
@@ -202,3 +204,18 @@ def test_names_that_steer_a_terminal_are_shown_harmless(tmp_path: Path) -> None:
         HEAD + STEP.replace('"D."', r'"\u001b[31mD."') + '[step.program]\nfile = "a.v2"\n'
     )
     assert "\x1b" not in progress_text(progress(load_lesson(tmp_path), tmp_path))
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("number", [2, 3, 4])
+def test_our_solutions_pass_every_step_of_their_lessons(number: int, tmp_path: Path) -> None:
+    mine = tmp_path / "lesson"
+    copy_lesson(find_lesson(str(number)), mine)
+    solution = (mine / "solution.v2").read_text("utf-8")
+    (mine / "mine.v2").write_text(solution, "utf-8")
+    if number == 2:  # the hand stays straight: A is 90 at the stand
+        straight = re.sub(r"(?m)^(stand_mid .*) 70\.00 ", r"\1 90.00 ", solution)
+        assert straight != solution
+        (mine / "straight.v2").write_text(straight, "utf-8")
+    found = progress(load_lesson(mine), mine)
+    assert found.step is None, (found.step, found.answer)
