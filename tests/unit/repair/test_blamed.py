@@ -47,6 +47,18 @@ WRONG = {  # of a program: what is right there, what is written instead, and wha
         "start, goal",
     ),
     "what counts": (OTHERS / "01-while.v2", "n = n+1\n", "n = n+10\n", "1"),
+    "where a way out begins before a straight way": (
+        *(
+            WAY,
+            "850.00  -430.00  -225.00    90.00    90.00",
+            "850.00  -430.00  -225.00   -90.00    90.00",
+        ),
+        "90",
+    ),
+    "one more call of a program": (
+        *(CANS, "        CALL carry(can2_grip, base1_put)\n", ""),
+        "CALL carry(can2_grip, base1_put)",
+    ),
     "an element among others": (
         *(OTHERS / "03-corners.v2", "        SET way[2] = gap1\n", ""),
         "SET way[2] = gap1",

@@ -65,9 +65,11 @@ def blame(run: Run, task: Task, judgement: Judgement, grade: Grade) -> Blame:
                 follow(written.step, WRITERS * weight, depth + 1)
         begun = trail.motion_before(k)
         for written in () if begun is None else trail.reads(begun):
+            handed = BEGINS * weight
             if written.line is not None:
-                handed = BEGINS * weight
                 weights[written.line] = max(weights.get(written.line, 0.0), handed)
+            elif written.step is not None:
+                follow(written.step, WRITERS * handed, depth + 1)
         caller = trail.caller(k)
         if caller is not None:
             follow(caller, CALLERS * weight, depth + 1)

@@ -51,7 +51,7 @@ class Trail:
         return {k: motion for motion, k in self.motion_steps.items()}
 
     def motion_before(self, k: int) -> int | None:
-        """Return the executed step of the motion before that of a step; None: it has none.
+        """Return the executed step of the motion to a place before that of a step; None: none.
 
         Of a step that failed: of the last motion, if it is a step that moves.
         """
@@ -59,7 +59,12 @@ class Trail:
         if motion is None:
             last = k + 1 == len(self.steps) and isinstance(self.steps[k].instruction, MOTIONS)
             motion = len(self.run.motions) if last else None
-        return None if not motion else self.motion_steps.get(motion - 1)
+        while motion:
+            motion -= 1
+            begun = self.motion_steps.get(motion)
+            if begun is None or not isinstance(self.steps[begun].instruction, Depart):
+                return begun  # a way out goes on from the place before it, turned as there
+        return None
 
     def reads(self, k: int) -> Iterator[Written]:
         """Yield where the values were written that a step read."""

@@ -10,6 +10,7 @@ from vrts.repair.written import WrittenStep
 
 HAND = frozenset({"OPEN", "OPENI", "CLOSE", "CLOSEI"})
 EMPTY_LOOP = -0.9  # what speaks for a call in a loop with nothing in it
+BESIDE_CALL = -0.5  # and for one more call of a program beside another
 COUNTED = -0.6  # and for a call with what was counted just before
 INSIDE = 4  # steps of a block in which a motion is looked for
 ELEMENT = re.compile(r"(\w+)\[(\d+)\]")
@@ -96,6 +97,8 @@ def fits(text: str, before: WrittenStep | None, step: WrittenStep | None) -> flo
         return -0.4
     if word == "CALL" and above[:1] == ["FOR"] and below[:1] == ["END"]:
         return EMPTY_LOOP
+    if word == "CALL" and any(_is_like_call(new, each) for each in (above, below)):
+        return BESIDE_CALL
     if word == "CALL" and above[1:2] == ["="] and text.endswith(f"({above[0]})"):
         return COUNTED
     if word == "SET":
@@ -140,6 +143,12 @@ def in_place(
     if new[0] == "SET":
         return _in_series(new[1], above, below)
     return 0.0
+
+
+def _is_like_call(new: Sequence[str], beside: Sequence[str]) -> bool:
+    """Return whether two steps call the same program."""
+    names = [each[1].partition("(")[0] for each in (new, beside) if each[:1] == ["CALL"]]
+    return len(names) == 2 and names[0] == names[1]
 
 
 def _in_series(target: str, above: Sequence[str], below: Sequence[str]) -> float:

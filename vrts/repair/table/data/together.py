@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 
 from vrts.lang.names import key
+from vrts.lang.syntax.expressions import Element, Name
 from vrts.repair.edit import Candidate, Does, replacement
 from vrts.repair.table.asked import Asked, name_of, written_number
 from vrts.repair.table.numbers import AWAY, numbers_of, value_of, word_of
@@ -30,7 +31,8 @@ def _exchanged(asked: Asked, rows: Sequence[WrittenRow]) -> Iterator[Candidate]:
                 replacement(source, b.start, b.end, asked.text_of(a)),
             )
             line = min(one.line, other.line, key=asked.against)
-            right = is_as_taught(asked, one, b) and is_as_taught(asked, other, a)
+            right = _is_right(asked, one, b) and _is_right(asked, other, a)
+            right = right and (is_as_taught(asked, one, b) or is_as_taught(asked, other, a))
             yield asked.candidate(
                 Does.ORDER,
                 line,
@@ -40,6 +42,13 @@ def _exchanged(asked: Asked, rows: Sequence[WrittenRow]) -> Iterator[Candidate]:
                 old=f"{asked.text_of(a)} {asked.text_of(b)}",
                 new=f"{asked.text_of(b)} {asked.text_of(a)}",
             )
+
+
+def _is_right(asked: Asked, row: WrittenRow, name: Name | Element) -> bool:
+    """Return whether the values of a row may be those of a name: the scene says no others."""
+    known = key(name_of(name))
+    said = known in asked.taught or any(body.name == known for body in asked.scene.bodies)
+    return not said or is_as_taught(asked, row, name)
 
 
 def _all_rows(asked: Asked, rows: Sequence[WrittenRow]) -> Iterator[Candidate]:
