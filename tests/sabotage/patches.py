@@ -2852,13 +2852,6 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/repair/test_blamed.py",),
     ),
     Patch(
-        "how a thing is held is not to blame for what it touches",
-        "vrts/repair/blame/anchors.py",
-        "            self.motion(e.time_s, HELD)\n",
-        "            self.motion(e.time_s, 0.0)\n",
-        ("tests/unit/repair/test_blamed.py",),
-    ),
-    Patch(
         "a hint tells more than the task allows",
         "vrts/repair/telling.py",
         "    if best is None or level is Hints.PLACE:\n",
