@@ -11,7 +11,7 @@ from typing import TypeVar
 from tests.golden.tutorial import rewritten
 from tests.places import ROOT
 
-WALK = ROOT / "examples" / "06-own-assignment" / "README.md"
+WALK = ROOT / "examples" / "07-own-assignment" / "README.md"
 
 Answer = TypeVar("Answer")
 

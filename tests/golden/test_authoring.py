@@ -12,7 +12,7 @@ def test_every_command_of_the_walk_through_answers_as_shown() -> None:
         assert any(step.command.startswith(f"vrts {word}") for step in steps), word
     for step in steps:
         assert step.fits, (
-            f"06-own-assignment/README.md:{step.line}: $ {step.command}\n"
+            f"07-own-assignment/README.md:{step.line}: $ {step.command}\n"
             f"--- shown\n{step.shown}\n--- real\n{step.real}\n"
             "(python -m tests.golden.authoring writes the real output)"
         )

@@ -27,7 +27,7 @@ NEEDED = (
     "vrts/py.typed",
     "vrts/__init__.pyi",
     "vrts/schemas/scene.schema.json",
-    "vrts/library/examples/07-notebook/from-python.ipynb",
+    "vrts/library/examples/06-notebook/from-python.ipynb",
 )
 
 

@@ -25,7 +25,7 @@ MOST_LOOKED_AT = 2_000  # files of a folder
 SCENE = "cans-on-bases"  # which comes with vrts
 LESSONS = (  # the usual names of copies
     *("01-cans-on-bases", "lesson1", "02-dish-on-stand", "03-around-obstacles"),
-    *("04-final-project", "05-validation", "06-own-assignment"),
+    *("04-final-project", "05-validation", "07-own-assignment"),
 )
 
 

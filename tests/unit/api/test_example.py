@@ -11,7 +11,7 @@ import pytest
 import vrts
 from tests.places import ROOT
 
-FOLDER = ROOT / "examples" / "07-notebook"
+FOLDER = ROOT / "examples" / "06-notebook"
 NOTEBOOK = FOLDER / "from-python.ipynb"
 
 

@@ -31,7 +31,7 @@ def lesson_of(steps: str) -> object:
 
 def test_the_six_lessons_are_bundled_in_their_order_with_steps_of_minutes() -> None:
     lessons = [one.lesson for one in bundled()]
-    assert [lesson.number for lesson in lessons] == [1, 2, 3, 4, 5, 6]
+    assert [lesson.number for lesson in lessons] == [1, 2, 3, 4, 5, 7]  # example 6 is a notebook
     for one in bundled():
         assert one.lesson.about
         assert len(one.lesson.steps) >= 3
@@ -50,7 +50,7 @@ def test_steps_of_the_first_lesson_are_short() -> None:
     assert max(step.minutes for step in first.steps) <= 6
 
 
-@pytest.mark.parametrize("number", range(1, 7))
+@pytest.mark.parametrize("number", [1, 2, 3, 4, 5, 7])
 def test_nothing_is_done_in_a_fresh_copy_and_links_lead_into_it(
     number: int, tmp_path: Path
 ) -> None:

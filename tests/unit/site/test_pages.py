@@ -203,7 +203,7 @@ def test_what_is_set_off_in_a_docstring_is_code() -> None:
     [
         ("![A can](pictures/a.png)", "![A can](01-cans/pictures/a.png)"),
         ("[next](../02-dish-on-stand/README.md)", "[next](02-dish-on-stand.md)"),
-        ("[own](../06-own-assignment/README.md#goals)", "[own](06-own-assignment.md#goals)"),
+        ("[own](../07-own-assignment/README.md#goals)", "[own](07-own-assignment.md#goals)"),
         ("[front page](../../README.md)", "[front page](../index.md)"),
         (
             "[futures](../../vrts/manual/understand/futures.md)",
