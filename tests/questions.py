@@ -2,6 +2,7 @@
 
 `tests/data/questions` has the files: `tuning.toml` by the author of the search, `blind.toml` by
 somebody who had not seen the manual, with what that author expected in the author's own words.
+Those of its folder `harder` are asked, and how many find their page is printed; fewer may.
 """
 
 import tomllib
@@ -15,6 +16,7 @@ from vrts.ask.manual import Manual
 from vrts.cli.main import SAID
 
 FOLDER = TESTS / "data" / "questions"
+HARDER = FOLDER / "harder"
 FIRST = 3  # so many pages somebody looks at
 LEAST = 45  # of 50 questions
 
@@ -43,9 +45,9 @@ def _is(name: str, page: str) -> bool:
     return name == page or name.startswith(f"{page}#")
 
 
-def sets() -> list[str]:
+def sets(folder: Path = FOLDER) -> list[str]:
     """Return the names of the sets of questions that there are."""
-    return sorted(path.stem for path in FOLDER.glob("*.toml"))
+    return sorted(path.stem for path in folder.glob("*.toml"))
 
 
 def questions(name: str, folder: Path = FOLDER) -> list[Question]:

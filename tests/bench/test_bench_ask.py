@@ -9,7 +9,7 @@ import sys
 
 import pytest
 
-from tests.questions import LEAST, answered, questions, report, sets
+from tests.questions import HARDER, LEAST, answered, questions, report, sets
 
 ASKED = ("MOVES", "wait 2 seconds", "V301", "how do I put marks into Moodle")
 TIMES = 5
@@ -22,6 +22,12 @@ def test_questions(name: str) -> None:
     found = answered(asked)
     print(f"\n{report(name, found)}")
     assert sum(each.fits for each in found) >= LEAST * len(asked) // 50
+
+
+@pytest.mark.parametrize("name", sets(HARDER))
+def test_harder_questions(name: str) -> None:
+    """Printed only: the search was not fitted to them."""
+    print(f"\n{report(name, answered(questions(name, HARDER)))}")
 
 
 @pytest.mark.parametrize("asked", ASKED)

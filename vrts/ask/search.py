@@ -12,7 +12,7 @@ from difflib import get_close_matches
 from typing import NamedTuple
 
 from vrts.ask.page import Kind, Page
-from vrts.ask.terms import Wanted, stem, stems_of, wanted, words_of
+from vrts.ask.terms import FREQUENT, Wanted, stem, stems_of, wanted, words_of
 
 TITLE, KEYWORDS, TEXT = 6.0, 4.0, 1.0  # what a term counts in each field, as tried
 SATURATION = 2.0  # so many occurrences count half of what any number would
@@ -28,6 +28,7 @@ KINDS = {  # among pages that fit alike, those that answer a beginner come first
 SAYS_ABOUT_A_MESSAGE = 1.6  # instead, where somebody says that a message was shown
 _OF_MESSAGES = "error errors warning warnings message messages says said complains squiggle missing"
 OF_MESSAGES = frozenset(_OF_MESSAGES.split())
+SHORT = 4  # letters of a word that may be a slip of the pen
 OTHER_LANGUAGES = 0.6  # of words that VAL-II itself does not have
 
 
@@ -111,11 +112,16 @@ class Index:
         return page.kind is Kind.WORD and page.name not in self._own
 
     def _unknown(self, thing: Wanted) -> bool:
-        return thing.said.isalpha() and not any(term in self._with for term in thing.worth)
+        if len(thing.said) < SHORT or thing.said in FREQUENT or not thing.said.isalpha():
+            return False
+        return not any(term in self._with for term in thing.worth)
 
     def _nearest(self, thing: Wanted) -> str:
-        known = [term for term in self._with if term[0] != "=" and term.isalpha()]
-        near = get_close_matches(stem(thing.said), known, 1, 0.75)
+        first = thing.said[0]  # which hardly anybody mistypes
+        known = [term for term in self._with if term[0] == first and term.isalpha()]
+        said = stem(thing.said)
+        near = get_close_matches(said, known, 3, 0.75)
+        near.sort(key=lambda term: sorted(term) != sorted(said))  # `wiat` is rather `wait`
         return near[0] if near else ""
 
 

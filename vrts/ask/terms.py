@@ -5,11 +5,13 @@ from functools import cache
 
 from vrts.ask.everyday import ALIKE
 from vrts.ask.other_languages import own_words
+from vrts.ask.words import own_words as language
 
 _WORD = re.compile(r"\$?[a-z0-9][a-z0-9_.+/-]*[a-z0-9+]|[a-z0-9]|[$#][a-z]+")
 _OPERAND = re.compile(r"(?!v\d{3})[a-z]{0,2}\d[\d.]*")  # `50`, `p1`, `z10`: what a step is about
 _PLAIN = re.compile(r"[a-z0-9]+")
 _DOUBLED = re.compile(r"([bdgmnprt])\1$")  # `stopping`, `gripper`
+_OF_CODE = re.compile(r"[{};]")  # what has these is a piece of a program
 _SMALL = (  # small words, and those that every page is about
     "a about am an and any are as at be been being but by can cannot cant could did do does "
     "doing don for from get gets give got had has have having her here him his how i if in into "
@@ -35,11 +37,23 @@ _FREQUENT = (  # words of any talk, which say little of what is asked
     "whether while whose within wont works year yes yet "
 )
 FREQUENT = frozenset(_FREQUENT.split())
+_APART = frozenset({"pointer", "teacher"})  # of another matter than the verb within
+_IRREGULAR = (  # forms that no ending tells, each behind the word that it belongs to
+    "bend bent, bring brought, build built, buy bought, catch caught, choose chose chosen, "
+    "draw drew drawn, drive drove driven, fall fell fallen, feed fed, fly flew flown, "
+    "forbid forbade forbidden, forget forgot forgotten, freeze froze frozen, go gone, "
+    "hide hid hidden, hold held, keep kept, know knew known, lay laid, lose lost, mean meant, "
+    "run ran, send sent, shake shook shaken, show shown, sit sat, sleep slept, slide slid, "
+    "spin spun, stand stood, stick stuck, strike struck, swing swung, teach taught, "
+    "think thought, throw threw thrown, understand understood, write wrote written"
+)
+IRREGULAR = {form: row.split()[0] for row in _IRREGULAR.split(", ") for form in row.split()[1:]}
 
 
 @cache
 def stem(word: str) -> str:
     """Return a word without the endings that change nothing for somebody who searches."""
+    word = IRREGULAR.get(word, word)
     if len(word) < 4 or not word.isalpha():
         return word
     if word.endswith("ies"):
@@ -53,7 +67,7 @@ def stem(word: str) -> str:
     if word.endswith("ly") and len(word) > 5:
         word = word[:-2]
     for ending, kept in (("ation", "at"), ("ator", "at"), ("er", "")):
-        if word.endswith(ending) and len(word) >= 6:
+        if word.endswith(ending) and len(word) >= 6 and word not in _APART:
             word = _DOUBLED.sub(r"\1", word.removesuffix(ending) + kept)
             break
     word = word.removesuffix("e") if len(word) > 3 else word
@@ -106,7 +120,9 @@ _LONGEST = 4  # words of a phrase that means one thing
 def wanted(question: str) -> list[Wanted]:
     """Return what a question is about, in its order."""
     words: list[str] = _WORD.findall(re.sub("['’]", "", question.lower()))
-    capitals = set(re.findall(r"\$?[A-Z][A-Z0-9.]+", question))
+    named = set(re.findall(r"\$?[A-Z][A-Z0-9.]+", question))
+    if _OF_CODE.search(question):
+        named |= {word.upper() for word in words} & language()
     found: list[Wanted] = []
     at = 0
     while at < len(words):
@@ -116,8 +132,8 @@ def wanted(question: str) -> list[Wanted]:
             worth = dict.fromkeys(others, SAME * 0.8)
             worth |= dict.fromkeys((stem(w) for w in said if w not in NOISE), 0.6)
             found.append(Wanted(" ".join(said), worth))
-        elif words[at] not in NOISE or words[at].upper() in capitals or len(words) == 1:
-            exact = words[at].upper() in capitals or len(words) == 1
+        elif words[at] not in NOISE or words[at].upper() in named or len(words) == 1:
+            exact = words[at].upper() in named or len(words) == 1
             found.append(Wanted(words[at], _worth(words[at], others, exact=exact)))
         at += length
     if all(max(thing.worth.values()) <= NUMBER for thing in found):  # small words are all there is

@@ -55,6 +55,16 @@ def test_a_slip_of_the_pen_is_read_as_what_it_was_meant_for() -> None:
     assert found.hits[0].page.name == "do/count"
 
 
+@pytest.mark.parametrize("word", ["wat", "three", "ktime"])  # short, of any talk, another letter
+def test_a_word_that_may_be_no_slip_is_left_as_it_is(word: str) -> None:
+    assert INDEX.search(f"{word} straight motion").read_as == {}
+
+
+def test_letters_that_changed_places_are_the_likeliest_slip() -> None:
+    pages = [Page(name, Kind.RECIPE, title, "") for name, title in (("a", "Wait"), ("b", "Writ"))]
+    assert Index(pages, frozenset()).search("wiat").read_as == {"wiat": "wait"}
+
+
 def test_nonsense_finds_nothing() -> None:
     assert names("xqzzt") == []
     assert names("") == []

@@ -17,6 +17,8 @@ from vrts.ask.terms import alike, stem, wanted, words_of
         ("slowly slow", "slow"),
         ("simulation simulator simulating simulates", "simulat"),
         ("gripper gripping", "grip"),
+        ("teach teaches taught", "teach"),  # but a teacher is somebody
+        ("teacher teachers", "teacher"),
         ("glass", "glass"),
         ("this", "this"),
         ("bus", "bus"),
@@ -41,6 +43,12 @@ def test_small_words_are_left_out_unless_there_is_nothing_else() -> None:
     assert [thing.said for thing in wanted("how do I print?")] == ["print"]
     assert [thing.said for thing in wanted("if")] == ["if"]
     assert wanted("how do I")
+
+
+def test_in_a_piece_of_a_program_small_words_are_words_of_the_language() -> None:
+    worth = [thing.worth for thing in wanted("do { } while")]
+    assert [max(each, key=lambda term: each[term]) for each in worth] == ["=do", "=while"]
+    assert "=do" not in wanted("do it while I wait")[0].worth
 
 
 def test_what_a_step_is_about_counts_little() -> None:
