@@ -12,7 +12,7 @@ tick in which the program looks at it. Times are in seconds, lengths in millimet
     [[inputs]]
     signal = 1002
     is = "held"                     # it never changes
-    state = "off"                   # or "on", or "either": nobody says which
+    state = "off"                   # or "on", or "either": it is not known which
 
     [[inputs]]
     signal = 1003
@@ -50,7 +50,7 @@ tick in which the program looks at it. Times are in seconds, lengths in millimet
     parts = "put back"              # what becomes of them before: or "left", "taken"
 
     [programs]                      # where two programs execute
-    first = "robot program"         # in every tick; as usual "either", in each tick anew
+    first = "robot program"         # in every tick; as usual "either", in each tick again
 
     [[never]]                       # a property of your own; also [[always]]
     title = "output 3 only while the hand is closed"
