@@ -6,6 +6,7 @@ from functools import cache
 from importlib.resources import files
 from importlib.resources.abc import Traversable
 
+from vrts.ask.asked import asked_for
 from vrts.ask.other_languages import names_elsewhere
 from vrts.ask.page import Kind, Page
 from vrts.ask.words import facts
@@ -39,6 +40,12 @@ def all_pages(commands: Mapping[str, str]) -> Iterator[Page]:
     Args:
         commands: What each command of the command line does, by its name.
     """
+    asked = asked_for()
+    for page in _all(commands):
+        yield page._replace(asked=asked.get(page.name, ()))
+
+
+def _all(commands: Mapping[str, str]) -> Iterator[Page]:
     for name, text in manual_files().items():
         yield from _of_file(name, text)
     yield from _messages()

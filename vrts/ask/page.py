@@ -24,6 +24,7 @@ class Page(NamedTuple):
     text: str  # Markdown; of a word or a command: what it does, in one line
     keywords: str = ""  # what else people call it
     section: bool = False  # whether it is one of several of its page
+    asked: tuple[str, ...] = ()  # what people type who want it
 
     @property
     def of(self) -> str:

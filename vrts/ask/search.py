@@ -1,8 +1,9 @@
 """Pages in the order in which they answer a question.
 
 Each thing that a question is about counts once for a page, by the term for it that the page has
-and that is worth most: the rarer the term and the more telling its place - title, keywords, text -
-the more. This is BM25 with fields [Robertson2004]_.
+and that is worth most: the rarer the term and the more telling its place - title, keywords, text,
+what people asked who wanted it - the more. This is BM25 with fields [Robertson2004]_. To this comes
+how like the question is to what people asked who wanted the page.
 """
 
 import math
@@ -11,10 +12,13 @@ from collections.abc import Iterable, Sequence
 from difflib import get_close_matches
 from typing import NamedTuple
 
+from vrts.ask.likeness import Likeness
 from vrts.ask.page import Kind, Page
-from vrts.ask.terms import FREQUENT, Wanted, stem, stems_of, wanted, words_of
+from vrts.ask.terms import FREQUENT, NOISE, Wanted, stem, stems_of, wanted, words_of
 
 TITLE, KEYWORDS, TEXT = 6.0, 4.0, 1.0  # what a term counts in each field, as tried
+ASKED, MOST_ASKED = 0.5, 3  # for each of the first questions that have a term
+LIKE = 1.0  # what likeness counts; the best page by its terms has 1
 SATURATION = 2.0  # so many occurrences count half of what any number would
 USUAL_LENGTH = 120  # terms of a text; in longer ones a term counts for less
 KINDS = {  # among pages that fit alike, those that answer a beginner come first
@@ -32,6 +36,7 @@ SHORT = 4  # letters of a word that may be a slip of the pen
 OTHER_LANGUAGES = 0.6  # of words that VAL-II itself does not have
 
 
+STEMS_OF_NOISE = frozenset(map(stem, NOISE))
 _CODE = re.compile(r"^```.*?^```", re.M | re.S)  # in which names are anybody's
 
 
@@ -66,6 +71,7 @@ class Index:
         for number, weights in enumerate(self._weights):
             for term in weights:
                 self._with.setdefault(term, []).append(number)
+        self._likeness = Likeness(self.pages)
 
     def search(self, question: str) -> Found:
         """Return the pages that answer a question, the best first."""
@@ -73,8 +79,8 @@ class Index:
         read_as = {thing.said: self._nearest(thing) for thing in things if self._unknown(thing)}
         read_as = {said: near for said, near in read_as.items() if near}
         if read_as:
-            words = (read_as.get(word, word) for word in question.lower().split())
-            things = wanted(" ".join(words))
+            question = " ".join(read_as.get(word, word) for word in question.lower().split())
+            things = wanted(question)
         scores: dict[int, float] = {}
         matched: dict[int, float] = {}
         total = 0.0
@@ -82,10 +88,9 @@ class Index:
             best: dict[int, float] = {}
             for term, worth in thing.worth.items():
                 known = self._with.get(term, ())
-                rarity = math.log(1 + len(self.pages) / (len(known) + 0.5))
                 for number in known:
                     weight = self._weights[number][term]
-                    score = worth * rarity * weight / (weight + SATURATION)
+                    score = worth * self._rarity(term) * weight / (weight + SATURATION)
                     best[number] = max(best.get(number, 0.0), score)
             importance = max(best.values(), default=0.0)
             total += importance
@@ -93,15 +98,18 @@ class Index:
                 scores[number] = scores.get(number, 0.0) + score
                 matched[number] = matched.get(number, 0.0) + importance
         told = not OF_MESSAGES.isdisjoint(words_of(question))
-        ranked = [
-            Hit(
-                self.pages[n],
-                score * self._factor(self.pages[n], told=told) * (1 + matched[n] / total) / 2,
-            )
-            for n, score in scores.items()
-        ]
+        for n, score in scores.items():
+            scores[n] = score * self._factor(self.pages[n], told=told) * (1 + matched[n] / total)
+        most = max(scores.values(), default=1.0)
+        ranks = {n: score / most for n, score in scores.items()}
+        for n, like in self._likeness.of(question).items():
+            ranks[n] = ranks.get(n, 0.0) + LIKE * like
+        ranked = [Hit(self.pages[n], score) for n, score in ranks.items()]
         ranked.sort(key=lambda hit: (-hit.score, hit.page.name))
         return Found(_one_of_each(ranked), read_as)
+
+    def _rarity(self, term: str) -> float:
+        return math.log(1 + len(self.pages) / (len(self._with.get(term, ())) + 0.5))
 
     def _factor(self, page: Page, *, told: bool) -> float:
         told = told and page.kind is Kind.MESSAGE
@@ -134,6 +142,12 @@ def _weights(page: Page) -> dict[str, float]:
         weights[term] = weights.get(term, 0.0) + shorter
     for term in set(stems_of(page.keywords)):
         weights[term] = weights.get(term, 0.0) + KEYWORDS
+    counted: dict[str, int] = {}
+    for question in page.asked:
+        for term in set(stems_of(question)) - STEMS_OF_NOISE:
+            counted[term] = counted.get(term, 0) + 1
+    for term, times in counted.items():
+        weights[term] = weights.get(term, 0.0) + ASKED * min(times, MOST_ASKED)
     for term in set(stems_of(page.title)):
         weights[term] = weights.get(term, 0.0) + TITLE
     if page.kind in (Kind.WORD, Kind.MESSAGE):

@@ -16,6 +16,7 @@ from tests.questions import (
     report,
     sets,
 )
+from vrts.ask.asked import asked_for
 
 
 @pytest.mark.parametrize("name", sets())
@@ -32,6 +33,20 @@ def test_every_page_that_is_called_right_exists(folder: Path) -> None:
     asked = [question for name in sets(folder) for question in questions(name, folder)]
     assert len(asked) >= 50
     assert {page for question in asked for page in question.pages} - known == set()
+
+
+def test_what_people_ask_leads_to_the_page_that_they_want() -> None:
+    """The files of `vrts/ask/questions` name pages that there are, and what stands there counts."""
+    known = {page.name for page in manual().pages}
+    assert set(asked_for()) <= known
+    sample = [
+        Question(rows[len(name) % len(rows)], (name, name.partition("#")[0]))
+        for name, rows in asked_for().items()
+        if name.startswith("do/")
+    ]
+    found = answered(sample)
+    assert len(sample) >= 90
+    assert sum(each.fits for each in found) >= 0.97 * len(sample), report("asked", found)
 
 
 def test_a_wrong_page_does_not_fit(tmp_path: Path) -> None:
