@@ -3077,6 +3077,13 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/validate/identify/test_chosen.py",),
     ),
     Patch(
+        "what people ask who want a page is not looked at",
+        "vrts/ask/collect.py",
+        "yield page._replace(asked=asked.get(page.name, ()))",
+        'yield page._replace(asked=asked.get("", ()))',
+        ("tests/unit/ask/test_questions.py",),
+    ),
+    Patch(
         "sections of one page crowd out other pages",
         "vrts/ask/search.py",
         "if hit.page.of not in seen:",

@@ -30,7 +30,9 @@ def run_request(given: Given, where: Where, reading: Reading, entry: str | None 
         Refused: Scene, scenario or lab have errors.
     """
     if where.lab is not None and where.scene is None:
-        raise CannotRead("a lab is laid over a scene", ("give `--scene NAME` (`scene=` in Python), too",))
+        raise CannotRead(
+            "a lab is laid over a scene", ("give `--scene NAME` (`scene=` in Python), too",)
+        )
     if where == ANYWHERE:
         return Request(given.program, robot_alone(), reading, entry)
     return Request(given.program, free_setting(where, given.folder), reading, entry)

@@ -1,4 +1,4 @@
-"""What people type who want a page: the files of `questions`, by writers who did not see the search.
+"""What people type who want a page: the files of `questions`, by writers who saw no search.
 
 A row `[do/wait-a-time]` names a page as `vrts manual` does; each row below it is one question.
 """
