@@ -53,6 +53,47 @@ def test_the_top_and_the_replay_stand_in_the_frame(
     assert view.complaints() == []
 
 
+def test_links_scroll_the_frame_and_leave_the_notebook_where_it_is(
+    browser: Browser, tmp_path: Path, found: vrts.Assessment
+) -> None:
+    view = _shown(browser, tmp_path, found)
+    frame = _frame(view)
+    dead = "[...document.querySelectorAll('a')].filter((a) => a.hash"
+    dead += " && !document.getElementById(a.hash.slice(1))).length"
+    assert frame.locator(".dot").count() > 0
+    assert frame.evaluate(dead) == 0
+    frame.locator('a[href="#L10"]').first.click()
+    seen = "(box => box !== undefined && box.top >= 0 && box.bottom <= innerHeight)"
+    seen += "(document.getElementById('L10')?.getBoundingClientRect())"
+    for _ in range(round(PATIENCE * 20)):
+        if frame.evaluate(seen):
+            break
+        view.page.wait_for_timeout(50)
+    assert frame.evaluate(seen)
+    assert frame.url == "about:srcdoc"
+    assert "7.0" in frame.inner_text(".first-screen")
+    assert view.complaints() == []
+
+
+class _Beside:
+    """A drawing of a scene beside what is the notebook's own."""
+
+    def _repr_html_(self) -> str:
+        drawing = str(vrts.scene("cans-on-bases")._repr_html_())  # pyright: ignore
+        own = '<p class="title" id="head">a</p><svg><text id="own" class="name">b</text></svg>'
+        return drawing + own
+
+
+def test_a_drawing_restyles_nothing_of_the_notebook(browser: Browser, tmp_path: Path) -> None:
+    page = _shown(browser, tmp_path, _Beside()).page
+    look = "e => [getComputedStyle(e).fontSize, getComputedStyle(e).fontWeight]"
+    drawn = page.locator(".vrts-scene > .title")
+    assert drawn.evaluate(look) == ["32px", "700"]
+    assert page.locator("#head").evaluate(look) == ["16px", "400"]
+    assert page.locator("#own").evaluate(look) == ["16px", "400"]
+    assert page.locator("#own").evaluate("e => getComputedStyle(e).fill") == "rgb(0, 0, 0)"
+
+
 @pytest.mark.parametrize("dark", [False, True], ids=["light", "dark"])
 def test_curves_stand_out_on_light_and_on_dark(
     browser: Browser, tmp_path: Path, found: vrts.Assessment, *, dark: bool

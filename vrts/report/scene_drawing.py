@@ -18,18 +18,21 @@ WORK_RINGS = (650.0, 1400.0)  # [mm] where the hand works well [assumed]
 LEFT, UP = Y_AXIS, Z_AXIS
 GAP = 160.0  # [mm] between the views
 
-STYLE = """
-text { font: 26px system-ui, sans-serif; fill: #243040 }
-.name { font-weight: 600; paint-order: stroke; stroke: #ffffffd0; stroke-width: 7px }
-.tick { font-size: 20px; fill: #6b7787 }
-.title { font-size: 32px; font-weight: 700 }
-.thin { stroke: #e3e7ec; stroke-width: 1 } .thick { stroke: #c9d0d9; stroke-width: 1.6 }
-.body { stroke: #1d2733; stroke-width: 2.5; stroke-linejoin: round }
-.robot { fill: #d8d2c6; stroke: #5d574c; stroke-width: 2; fill-opacity: .75 }
-.ring { fill: none; stroke: #2f7d5b; stroke-width: 2.5; stroke-dasharray: 12 8 }
-.ringname { fill: #2f7d5b; font-size: 21px }
-.place { fill: #b4232f } .placename { fill: #b4232f; font-size: 21px; paint-order: stroke;
- stroke: #ffffffd0; stroke-width: 6px }
+NAME = "vrts-scene"  # class of the drawing: where it stands in a page, all else keeps its looks
+STYLE = f"""
+.{NAME} text {{ font: 26px system-ui, sans-serif; fill: #243040 }}
+.{NAME} .name {{ font-weight: 600; paint-order: stroke; stroke: #ffffffd0; stroke-width: 7px }}
+.{NAME} .tick {{ font-size: 20px; fill: #6b7787 }}
+.{NAME} .title {{ font-size: 32px; font-weight: 700 }}
+.{NAME} .thin {{ stroke: #e3e7ec; stroke-width: 1 }}
+.{NAME} .thick {{ stroke: #c9d0d9; stroke-width: 1.6 }}
+.{NAME} .body {{ stroke: #1d2733; stroke-width: 2.5; stroke-linejoin: round }}
+.{NAME} .robot {{ fill: #d8d2c6; stroke: #5d574c; stroke-width: 2; fill-opacity: .75 }}
+.{NAME} .ring {{ fill: none; stroke: #2f7d5b; stroke-width: 2.5; stroke-dasharray: 12 8 }}
+.{NAME} .ringname {{ fill: #2f7d5b; font-size: 21px }}
+.{NAME} .place {{ fill: #b4232f }}
+.{NAME} .placename {{ fill: #b4232f; font-size: 21px; paint-order: stroke; stroke: #ffffffd0;
+ stroke-width: 6px }}
 """
 
 
@@ -77,8 +80,9 @@ def scene_svg(scene: Scene) -> str:
     ]
     title = f'<text class="title" x="{MARGIN}" y="{MARGIN * 0.7}">{_escaped(scene.title)}</text>'
     return (
-        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width:.0f} {height:.0f}" '
-        f'role="img" aria-label="{_escaped(scene.title)}, {top.title} and {side.title}">'
+        f'<svg xmlns="http://www.w3.org/2000/svg" class="{NAME}" '
+        f'viewBox="0 0 {width:.0f} {height:.0f}" role="img" '
+        f'aria-label="{_escaped(scene.title)}, {top.title} and {side.title}">'
         f"<style>{STYLE}</style>"
         f'<rect width="100%" height="100%" fill="#ffffff"/>{title}{"".join(body)}</svg>\n'
     )
@@ -162,7 +166,7 @@ def _robot(scene: Scene, view: View, *, above: bool) -> str:
         for link in links
         for piece in link.pieces
     ]
-    clip = f"clip-{'top' if above else 'side'}"
+    clip = f"{NAME}-{view.width:.0f}-{view.height:.0f}"  # of one size wherever it has one name
     return (
         f'<clipPath id="{clip}"><rect width="{view.width:.0f}" height="{view.height:.0f}"/>'
         f'</clipPath><g clip-path="url(#{clip})">{"".join(drawn)}</g>'

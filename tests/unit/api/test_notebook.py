@@ -1,5 +1,6 @@
 """What a notebook shows of runs and assessments."""
 
+import re
 from html import unescape
 from pathlib import Path
 from xml.etree import ElementTree
@@ -34,6 +35,20 @@ def test_a_scene_shows_a_drawing() -> None:
     assert _html(vrts.scene("cans-on-bases")).lstrip().startswith("<svg")
 
 
+def test_drawings_in_one_notebook_keep_to_themselves() -> None:
+    clips: dict[str, dict[str, str]] = {}
+    for name in ("cans-on-bases", "one-can-ur3", "one-can-puma560"):
+        root = ElementTree.fromstring(_html(vrts.scene(name)))
+        style = root.findtext("{*}style") or ""
+        rules = re.findall(r"([^{}]+)\{", style)
+        assert len(rules) > 10
+        assert all(rule.strip().startswith(f".{root.attrib['class']} ") for rule in rules)
+        for clip in root.iter("{http://www.w3.org/2000/svg}clipPath"):
+            assert clips.setdefault(clip.attrib["id"], clip[0].attrib) == clip[0].attrib
+            assert f"url(#{clip.attrib['id']})" in _html(vrts.scene(name))
+    assert len(clips) > 2
+
+
 def test_an_assessment_shows_its_top_and_the_replay_in_a_frame_of_its_own() -> None:
     shown = _html(vrts.verify(TURN, task="01-cans-on-bases"))
     assert shown.startswith("<iframe srcdoc=")
@@ -47,11 +62,14 @@ def test_an_assessment_shows_its_top_and_the_replay_in_a_frame_of_its_own() -> N
     assert 'id="contacts"' not in inner
 
 
-def test_what_does_not_compile_shows_its_top() -> None:
-    inner = unescape(_html(vrts.mark(".PROGRAM a()\nSPED <b>\n.END\n", "01-cans-on-bases")))
+def test_what_does_not_compile_shows_its_top(tmp_path: Path) -> None:
+    program = tmp_path / "<i>wrong.v2"
+    program.write_text(".PROGRAM a()\nSPED 30\n.END\n")
+    inner = unescape(_html(vrts.mark(program, "01-cans-on-bases")))
     assert 'class="first-screen"' in inner
     assert 'id="replay"' not in inner
-    assert "<b>\n" not in inner
+    assert "&lt;i&gt;wrong.v2" in inner
+    assert "<i>" not in inner
 
 
 @pytest.mark.parametrize("reader", ["student", "grader"])
