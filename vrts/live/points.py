@@ -16,10 +16,11 @@ class PointsFile:
         """Say where it is; nothing is written before the first location."""
         self.path = path
         self._rows: dict[Place, str] = {}
+        self._written = 0
 
     def __len__(self) -> int:
-        """Return how many locations there are."""
-        return len(self._rows)
+        """Return how many locations the file has: fewer than were added where it failed."""
+        return self._written
 
     def add(self, row: str) -> None:
         """Add a location, or replace the one of the same name, and write the file.
@@ -36,6 +37,7 @@ class PointsFile:
         whole = self.path.with_name(f".{self.path.name}.part")
         whole.write_text(text, encoding="ascii", newline="\n")
         os.replace(whole, self.path)
+        self._written = len(rows)
 
 
 def _place(row: str) -> Place:

@@ -52,7 +52,7 @@ def serve(
         settings: What to serve; port and TLS are taken from `listening`.
         listening: Where.
         rooms: Names of the rooms to begin with.
-        say: Writes a line of words.
+        say: Writes a line of words, `--quiet` or not: nobody comes in without them.
         with_code: Whether there is a class code.
         open_link: Takes the supervisor's link, which lets one browser in, once.
 

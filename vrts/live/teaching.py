@@ -19,11 +19,12 @@ def teach(
     output: Path,
     port: int,
     say: Callable[[str], None],
+    warn: Callable[[str], None],
     *,
     lab: Path | None = None,
     opens: bool,
 ) -> int:
-    """Serve one user on this machine until interrupted; return how many locations were recorded.
+    """Serve one user on this machine until interrupted; return how many locations the file has.
 
     Nothing but the file of locations is left behind.
 
@@ -31,7 +32,8 @@ def teach(
         scene: Name or path of a scene, or of a task.
         output: The file of locations; replaced when the first one is recorded.
         port: 0: any that is free.
-        say: Writes a line of words.
+        say: Writes a line that is good to know.
+        warn: Writes a line that has to be known.
         lab: File of a lab that is laid over the scene.
         opens: Whether a browser is opened.
 
@@ -45,13 +47,13 @@ def teach(
         try:
             points.add(row)
         except OSError as problem:
-            say(f"cannot write `{output}`: {problem.strerror or 'failed'}")
+            warn(f"cannot write `{output}`: {problem.strerror or 'failed'}")
 
     def open_link(link: str) -> None:
-        say(f"teaching in {scene}, on this machine only: {link}")
+        (say if opens else warn)(f"teaching in {scene}, on this machine only: {link}")
         say(f"what is recorded goes into {output}; Ctrl-C ends it")
         if opens and not webbrowser.open(link):
-            say("no browser was found here: open the link yourself")
+            warn(f"no browser was found here: open {link} in one")
 
     with tempfile.TemporaryDirectory(prefix="vrts-teach-") as folder:
         settings = Settings(

@@ -4,7 +4,8 @@ import re
 import signal
 import subprocess
 import sys
-from collections.abc import Iterator
+import webbrowser
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
@@ -13,7 +14,9 @@ from tests.support_commands import Begun
 from tests.support_live import PATIENCE, Browser, LiveServer
 from vrts.base.source import SourceFile
 from vrts.lang.compiler import compile_source
+from vrts.live import teaching as teaching_alone
 from vrts.live.points import PointsFile
+from vrts.live.settings import Settings
 
 
 class Teaching(LiveServer):
@@ -101,6 +104,37 @@ def test_ctrl_c_ends_it_and_says_what_was_written(tmp_path: Path) -> None:
         assert "nothing is written" in said
         assert "Traceback" not in said
     assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("opens", [False, True], ids=["no browser wanted", "none found"])
+def test_the_link_and_what_is_lost_are_told_to_whoever_wants_few_words(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, *, opens: bool
+) -> None:
+    folder = tmp_path / "cell"
+    folder.mkdir()
+
+    def served(
+        settings: Settings, *_: object, open_link: Callable[[str], None], **__: object
+    ) -> None:
+        assert settings.recorded is not None
+        open_link("http://127.0.0.1/#enter=x")
+        settings.recorded("p1 1 2 3 4 5 6")
+        folder.rename(tmp_path / "moved")
+        settings.recorded("p2 1 2 3 4 5 6")
+
+    def no_browser(_: str) -> bool:
+        return False
+
+    monkeypatch.setattr(teaching_alone, "serve", served)
+    monkeypatch.setattr(webbrowser, "open", no_browser)
+    output, said, warned = folder / "p.v2", list[str](), list[str]()
+    told = said.append, warned.append
+    count = teaching_alone.teach("cans-on-bases", output, 0, *told, opens=opens)
+    assert count == 1
+    assert len(warned) == 2
+    assert "http://127.0.0.1/#enter=x" in warned[0]
+    assert warned[1] == f"cannot write `{output}`: No such file or directory"
+    assert f"what is recorded goes into {output}; Ctrl-C ends it" in said
 
 
 def test_a_location_recorded_again_is_replaced_and_others_stand_in_order(tmp_path: Path) -> None:

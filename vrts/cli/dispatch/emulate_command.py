@@ -5,7 +5,7 @@ import time
 
 import click
 
-from vrts.cli.shared.console import fail, guarded, out, say
+from vrts.cli.shared.console import fail, guarded, out, say, warn
 from vrts.cli.shared.options import scene_option
 from vrts.pipeline.where import Where
 
@@ -39,7 +39,10 @@ def command(files: tuple[str, ...], scene: str | None, profile: str, baud: int |
     known = find_profile(profile)
     dialogue, said = opened(files, Where(scene), known.dialect, asks=True)
     dialogue.monitor.desk.room = known.memory_bytes
-    say(plain_text(said).rstrip("\n") or f"{known.title}, emulated; Ctrl-C ends it")
+    if said.strip():
+        warn(plain_text(said).rstrip("\n"))  # what the monitor answers, errors too
+    else:
+        say(f"{known.title}, emulated; Ctrl-C ends it")
     emulator = Emulator(Machine(dialogue), baud or known.serial.baud, time.monotonic)
     out(emulator.port)
     sys.stdout.flush()

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import click
 
 from vrts.cli.grammar.group import LazyGroup
-from vrts.cli.shared.console import WRONG, fail, guarded, out, say, use_color
+from vrts.cli.shared.console import WRONG, fail, guarded, out, use_color, warn
 from vrts.cli.shared.options import color_option, form_option
 
 if TYPE_CHECKING:
@@ -73,7 +73,7 @@ def _open(path: bool) -> None:
         fail(*NOT_BUILT, status=WRONG)
     out(str(first))
     if not path and not webbrowser.open(first.as_uri()):
-        say("no browser could be opened: open this file in one")
+        warn("no browser could be opened: open this file in one")
 
 
 def first_page() -> Path | None:

@@ -141,7 +141,7 @@ def command(
     )
     listening = Listening(host, port, tls_cert, tls_key, behind_proxy)
     try:
-        serve(settings, listening, named, say, with_code=not no_code)
+        serve(settings, listening, named, warn, with_code=not no_code)  # the ways in: its result
     except KeyboardInterrupt:  # how it ends: no word about it
         sys.exit(INTERRUPTED)
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from vrts.cli.shared.console import INTERRUPTED, WRONG, fail, guarded, say, write_file
+from vrts.cli.shared.console import INTERRUPTED, WRONG, fail, guarded, say, warn, write_file
 from vrts.cli.shared.options import file_option, lab_option, no_open_option, overwrite_option
 from vrts.pipeline.where import Where
 
@@ -81,7 +81,7 @@ def _in_browser(scene: str, lab: Path | None, output: Path, port: int, *, opens:
     except ModuleNotFoundError as missing:
         hints = ("install them with `pip install 'vrts[live]'`", "`--terminal` needs none of them")
         fail(f"teaching in the browser needs the package {missing.name}", hints, WRONG)
-    count = teach(scene, output, port, say, lab=lab, opens=opens)
+    count = teach(scene, output, port, say, warn, lab=lab, opens=opens)
     say(_written(count, output) if count else "nothing is written")
     sys.exit(INTERRUPTED)  # nothing else ends it
 

@@ -44,6 +44,19 @@ def emulated(tmp_path: Path) -> Generator[str]:
         process.terminate()
 
 
+def test_what_is_wrong_with_a_file_is_told_to_whoever_wants_few_words(tmp_path: Path) -> None:
+    (tmp_path / "bad.v2").write_text(".PROGRAM bad()\nMOVVE here\n.END\n")
+    words = [sys.executable, "-m", "vrts.cli.main", "dispatch", "emulate", "bad.v2", "-q"]
+    with subprocess.Popen(
+        words, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    ) as process:
+        assert process.stdout is not None
+        assert process.stdout.readline().strip()  # the port: all files are loaded
+        process.terminate()
+        _, said = process.communicate(timeout=PATIENCE)
+    assert "MOVVE" in said
+
+
 def test_a_dry_run_prints_what_would_be_typed_and_opens_nothing(tmp_path: Path) -> None:
     found = vrts(tmp_path, "send", write(tmp_path), "--port", str(tmp_path / "none"))
     assert found.returncode == 0

@@ -1,15 +1,20 @@
 """Ways in and out of a server: TLS, accounts with passwords, rooms for groups, administration."""
 
 import http.client
+import re
 import shutil
+import socket
 import ssl
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+import uvicorn
+from click.testing import CliRunner
 
 from tests.support_live import LiveServer
+from vrts.cli.main import vrts
 from vrts.live.new_account import add_user
 from vrts.live.places import places_of
 from vrts.live.serving import Entrances, Listening, greeting
@@ -26,6 +31,20 @@ def test_it_says_loudly_what_it_exposes(tmp_path: Path) -> None:
     assert sum("EXPOSED" in line for line in everywhere) == 2
     by_name = greeting(settings, Listening("lab.example.org"), entrances)
     assert sum("EXPOSED" in line for line in by_name) == 2
+
+
+def test_quiet_leaves_the_ways_in(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def ended(_: uvicorn.Server, sockets: list[socket.socket]) -> None:
+        for listener in sockets:
+            listener.close()
+
+    monkeypatch.setattr(uvicorn.Server, "run", ended)
+    words = ["serve", "cans-on-bases", "-q", "--port", "0", "--folder", str(tmp_path / "live")]
+    said = CliRunner().invoke(vrts, words)
+    assert said.exit_code == 0, said.output
+    assert re.search(r"^serving cans-on-bases at http://127\.0\.0\.1:\d+$", said.stderr, re.M)
+    assert re.search(r"^supervisor, once: http\S+#enter=\S+$", said.stderr, re.M)
+    assert re.search(r"^class code: \w{6}", said.stderr, re.M)
 
 
 @pytest.mark.skipif(shutil.which("openssl") is None, reason="makes its certificate with openssl")
