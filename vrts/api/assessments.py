@@ -19,6 +19,7 @@ from vrts.report.quantities import millimetres
 from vrts.report.screen.assessment_text import assessment_text
 from vrts.run_files.simulated import Simulated
 
+ITS_OWN = "an assessment has its own scene, task and scenario"
 STUDENT, GRADER = Audience.STUDENT.value, Audience.GRADER.value
 
 

@@ -2,9 +2,9 @@
 
 from typing import NamedTuple
 
-from vrts.api.assessments import Assessment
-from vrts.api.errors import VrtsError, public
-from vrts.api.given import File, Program
+from vrts.api.assessments import ITS_OWN, Assessment
+from vrts.api.errors import VrtsError, public, refusal, refuse
+from vrts.api.given import File, Program, number, word
 from vrts.api.scenes import Scene, Task
 from vrts.api.verifying import verify
 from vrts.check.rules.hints import Hints
@@ -86,7 +86,8 @@ def why(
         scenario: As for `vrts.verify`.
 
     Raises:
-        VrtsError: Nothing has this name, or the run does not last so long.
+        VrtsError: Nothing has this name, the run does not last so long, or nothing ran that could
+            be asked. An assessment has its own scene, task and scenario: give no others.
 
     >>> import vrts
     >>> task = vrts.task("01-cans-on-bases")
@@ -94,11 +95,16 @@ def why(
     >>> reasons[0].causes[0].words
     'the hand is never told to close'
     """
+    of = word(of, "of")
+    at_s = None if at_s is None else number(at_s, "at_s")
     if isinstance(program, Assessment):
+        refuse(ITS_OWN, scene=scene, task=task, scenario=scenario)
         found = program
     else:
         found = verify(program, scene=scene, task=task, scenario=scenario)
     inner = found.inner
+    if inner.run is None and (of is not None or at_s is not None):
+        raise refusal(found.simulated.diagnostics)
     chains, whole = chains_of(inner, of, at_s)
     level = told_to(inner, Audience.STUDENT)
     text = why_text(inner, chains, level, whole=whole, color=False)

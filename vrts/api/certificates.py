@@ -2,8 +2,8 @@
 
 from pathlib import Path
 
-from vrts.api.assessments import Assessment
-from vrts.api.errors import VrtsError, public
+from vrts.api.assessments import ITS_OWN, Assessment
+from vrts.api.errors import VrtsError, public, refuse
 from vrts.api.given import File, Program, path_of
 from vrts.api.runs import written
 from vrts.api.scenes import Scene, Task
@@ -17,6 +17,7 @@ from vrts.run_files.simulated import Simulated
 
 NAME = "run.cert"
 NOTHING_RAN = "nothing ran, so there is nothing to prove"
+NOT_CHECKED = "collisions were not checked, so there is nothing to prove"
 
 
 class Certificate:
@@ -76,7 +77,7 @@ def certified(found: Inner, simulated: Simulated) -> bytes:
     """
     report = None if found.judgement is None else found.judgement.collisions
     if report is None:
-        raise VrtsError(NOTHING_RAN)
+        raise VrtsError(NOTHING_RAN if found.run is None else NOT_CHECKED)
     return certificate_of(simulated, report)
 
 
@@ -97,7 +98,8 @@ def certificate(
         scenario: As for `vrts.verify`.
 
     Raises:
-        VrtsError: Nothing ran, or it cannot be proven.
+        VrtsError: Nothing ran, collisions were not checked, or it cannot be proven. An assessment
+            has its own scene, task and scenario: give no others.
 
     >>> import vrts
     >>> turn = ".PROGRAM turn()\nDRIVE 1, 30, 100\n.END\n"
@@ -105,6 +107,7 @@ def certificate(
     0
     """
     if isinstance(program, Assessment):
+        refuse(ITS_OWN, scene=scene, task=task, scenario=scenario)
         found = program
     else:
         found = verify(program, scene=scene, task=task, scenario=scenario)

@@ -40,9 +40,29 @@ def wrong_call(message: str, *hints: str) -> VrtsError:
     return VrtsError("\n".join((message, *(f"help: {hint}" for hint in hints))))
 
 
+def refuse(reason: str, **given: object) -> None:
+    """Refuse what would change nothing.
+
+    Args:
+        reason: Why it would, as a sentence about what has it already.
+        given: Values of arguments by their names; None: it is not given.
+
+    Raises:
+        VrtsError: One is given.
+    """
+    names = [f"`{name}`" for name, value in given.items() if value is not None]
+    if names:
+        raise wrong_call(reason, f"leave out {', '.join(names)}")
+
+
 def text_of(diagnostic: Diagnostic) -> str:
     """Return a diagnostic as the commands show it, without colour."""
     return diagnostic_text(diagnostic, color=False)
+
+
+def reason_of(problem: OSError) -> str:
+    """Return in words why the system refused."""
+    return (problem.strerror or "it failed").lower()
 
 
 def public(function: Callable[P, T]) -> Callable[P, T]:
@@ -56,5 +76,8 @@ def public(function: Callable[P, T]) -> Callable[P, T]:
             raise wrong_call(problem.message, *problem.hints) from problem
         except Refused as problem:
             raise refusal(problem.diagnostics) from problem
+        except OSError as problem:
+            where = "" if problem.filename is None else f": `{problem.filename}`"
+            raise VrtsError(f"{reason_of(problem)}{where}") from problem
 
     return guarded

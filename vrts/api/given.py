@@ -2,6 +2,7 @@
 
 import os
 from collections.abc import Iterable
+from numbers import Real
 from pathlib import Path
 from typing import NamedTuple, TypeAlias, cast
 
@@ -56,6 +57,10 @@ def path_of(file: object) -> Path:
     name = cast("str | bytes", os.fspath(cast("os.PathLike[str]", file)))
     if not isinstance(name, str) or "\0" in name:
         raise wrong_call("a path is text without null characters")
+    try:
+        os.fsencode(name)
+    except UnicodeEncodeError as problem:  # half of a character
+        raise wrong_call("a path is text that files can be called by") from problem
     return Path(name)
 
 
@@ -68,6 +73,17 @@ def word(text: object, what: str) -> str | None:
     if text is None or isinstance(text, str):
         return text
     raise wrong_call(f"`{what}` is text, not {type(text).__name__}")
+
+
+def number(value: object, what: str) -> float:
+    """Return a number.
+
+    Raises:
+        VrtsError: It is none.
+    """
+    if isinstance(value, Real):
+        return float(value)
+    raise wrong_call(f"`{what}` is a number, not {type(value).__name__}")
 
 
 def optional_path(file: File | None) -> Path | None:

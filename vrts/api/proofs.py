@@ -6,13 +6,13 @@ from typing import NamedTuple
 from vrts.api.errors import VrtsError, public, refusal
 from vrts.api.given import File, Program, given, optional_path, path_of, reading, word
 from vrts.api.requests import outside, run_request, verify_request
-from vrts.api.runs import setting_read, written
-from vrts.api.scenes import Scene, Task, task_path
+from vrts.api.runs import written
+from vrts.api.scenes import Scene, Task
+from vrts.api.settings import setting_read, where_of
 from vrts.api.verifying import STRICT
 from vrts.assignments.packed import found_setting
 from vrts.check.verdict import Answer
 from vrts.pipeline.futures import Proved, proved
-from vrts.pipeline.where import Where
 from vrts.prove.asking import USUAL_STATES, Asking
 from vrts.prove.proof import Proof as Inner
 from vrts.prove.proof import Wronged
@@ -129,7 +129,8 @@ def prove(
         task: Where it runs, and what is asked for.
         scenario: How every future begins, and what is the same in all.
         entry: Program of the file to execute; None: the task's, else the main one.
-        dialect: `val2`, `val2+`, `val`, `vplus`, `as` or `auto`; None: `val2`.
+        dialect: `val2`, `val2+`, `val`, `vplus`, `as` or `auto`; None: `val2`; for a robot
+            alone as name and content tell.
         files: Compiled together with the program.
         states: Look at no more than so many states.
         collisions: Whether to check them.
@@ -146,12 +147,8 @@ def prove(
         raise VrtsError("`states` is a whole number, 1 or more")
     entry = word(entry, "entry")
     file = given(program)
-    where = Where(
-        None if scene is None or isinstance(scene, Scene) else str(path_of(scene)),
-        None if task is None or isinstance(task, Task) else task_path(task),
-        optional_path(scenario),
-    )
-    setting = setting_read(scene, task, where) or found_setting(file.path, where)
+    where = where_of(scene, task, scenario)
+    setting = setting_read(file, scene, task, where) or found_setting(file.path, where)
     if setting is None:
         request = run_request(file, where, reading(dialect, files, "auto"), entry)
     else:

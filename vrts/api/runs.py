@@ -9,19 +9,17 @@ import numpy as np
 import numpy.typing as npt
 
 from vrts.api.curves import curves
-from vrts.api.errors import VrtsError, public, refusal, text_of, wrong_call
-from vrts.api.given import File, Program, given, optional_path, path_of, reading, word
+from vrts.api.errors import VrtsError, public, reason_of, refusal, refuse, text_of, wrong_call
+from vrts.api.given import File, Program, given, number, path_of, reading, word
 from vrts.api.requests import run_request_beside
-from vrts.api.scenes import Location, Scene, Task, location_of, task_path
+from vrts.api.scenes import Location, Scene, Task, location_of
+from vrts.api.settings import setting_read, where_of
 from vrts.base.units import DEG, MM, deg, mm
 from vrts.engine.batch import batch_of
 from vrts.engine.run import Run as Inner
 from vrts.engine.state import State
 from vrts.engine.storage.recognise import is_saved_run
 from vrts.pipeline.request import Request
-from vrts.pipeline.scenes import with_scenario
-from vrts.pipeline.setting import Setting
-from vrts.pipeline.where import Where
 from vrts.report.event_words import event_text
 from vrts.report.formats.run_csv import run_csv
 from vrts.report.plain import plain_text
@@ -197,9 +195,12 @@ class Run:
         """Return the run at a time, in s, from 0 to `duration_s`.
 
         Raises:
-            VrtsError: The run does not last so long.
+            VrtsError: The run does not last so long, or it is not one time.
         """
-        return Instant(self._run, self._run.at(float(self._times(time_s)[0])))
+        times = self._times(time_s)
+        if times.size != 1:
+            raise wrong_call("`at` takes one time", "`joints` and `tool` take many at once")
+        return Instant(self._run, self._run.at(float(times[0])))
 
     @public
     def joints(self, times_s: Times) -> Joints:
@@ -249,7 +250,7 @@ class Run:
         Raises:
             VrtsError: The file cannot be written, or the rate is not from 0.001 to 1000 Hz.
         """
-        if not SLOWEST_HZ <= rate_hz <= FASTEST_HZ:
+        if not SLOWEST_HZ <= number(rate_hz, "rate_hz") <= FASTEST_HZ:
             raise wrong_call(f"`rate_hz` goes from {SLOWEST_HZ:g} to {FASTEST_HZ:g} Hz")
         text = "".join(run_csv(self._run, rate_hz))
         if path is not None:
@@ -302,8 +303,7 @@ def written(path: Path, data: bytes) -> None:
     try:
         path.write_bytes(data)
     except OSError as problem:
-        reason = (problem.strerror or "not possible").lower()
-        raise VrtsError(f"cannot write `{path}`: {reason}") from problem
+        raise VrtsError(f"cannot write `{path}`: {reason_of(problem)}") from problem
 
 
 @public
@@ -334,7 +334,8 @@ def run(
         files: Compiled together with the program.
 
     Raises:
-        VrtsError: The program does not compile, or a file is not there or has errors.
+        VrtsError: The program does not compile, a file is not there or has errors, or more is given
+            than a saved run.
 
     >>> import vrts
     >>> spin = vrts.run(".PROGRAM spin()\nDRIVE 1, 30, 100\nTYPE \"there\"\n.END\n")
@@ -347,33 +348,22 @@ def run(
     """
     file = given(program)
     if is_saved_run(file.program.data):
+        refuse(
+            "a saved run has its own scene, scenario and programs",
+            scene=scene,
+            task=task,
+            scenario=scenario,
+            lab=lab,
+            controller=controller,
+            entry=entry,
+            dialect=dialect,
+            files=files or None,
+        )
         return Run(load_run(*file.program, file.folder))
-    where = Where(
-        None if scene is None or isinstance(scene, Scene) else str(path_of(scene)),
-        None if task is None or isinstance(task, Task) else task_path(task),
-        optional_path(scenario),
-        optional_path(lab),
-        word(controller, "controller"),
-    )
+    where = where_of(scene, task, scenario, lab, controller)
     entry = word(entry, "entry")
     how = reading(dialect, files, "auto")
-    setting = setting_read(scene, task, where)
+    setting = setting_read(file, scene, task, where)
     if setting is not None:
         return Run(simulate(Request(file.program, setting, how, entry)))
     return Run(simulate(run_request_beside(file, where, how, entry)))
-
-
-def setting_read(scene: object, task: object, where: Where) -> Setting | None:
-    """Return the setting of a scene or task that was read before; None: it was not.
-
-    Raises:
-        VrtsError: A lab or controller is given too: it belongs to what was read.
-    """
-    read = task if isinstance(task, Task) else scene if isinstance(scene, Scene) else None
-    if read is None:
-        return None
-    if where.lab is not None or where.controller is not None:
-        name = "vrts.task" if isinstance(read, Task) else "vrts.scene"
-        raise wrong_call(f"give `lab` and `controller` to `{name}`, which has read the files")
-    setting = read.setting
-    return setting if where.scenario is None else with_scenario(setting, where.scenario)

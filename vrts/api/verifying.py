@@ -5,12 +5,12 @@ from os import PathLike
 from typing import overload
 
 from vrts.api.assessments import Assessment
-from vrts.api.errors import public, wrong_call
-from vrts.api.given import File, Given, Program, given, optional_path, path_of, reading, word
+from vrts.api.errors import public, refuse, wrong_call
+from vrts.api.given import File, Given, Program, given, reading, word
 from vrts.api.requests import verify_request
-from vrts.api.runs import setting_read
-from vrts.api.scenes import Scene, Task, task_path
+from vrts.api.scenes import Scene, Task
 from vrts.api.scenes import task as read_task
+from vrts.api.settings import setting_read, where_of
 from vrts.assignments.packed import found_setting
 from vrts.pipeline.assess import assess
 from vrts.pipeline.compiling.reading import Reading
@@ -18,7 +18,6 @@ from vrts.pipeline.execution import compiled_for
 from vrts.pipeline.files import scene_names
 from vrts.pipeline.request import Checks, Request
 from vrts.pipeline.setting import Setting
-from vrts.pipeline.where import Where
 from vrts.run_files.simulated import of_run
 
 STRICT = "val2"  # as the controller takes it: the usual dialect of what is verified
@@ -43,8 +42,8 @@ def verify(
     Args:
         program: A path, or the text of a program, which has several lines.
         scene: Where it runs, without a mark.
-        task: Where it runs, and what is asked for. Without scene and task: the task beside the
-            file.
+        task: Where it runs, and what is asked for. In another scene than its own marks do not
+            count. Without scene and task: the task beside the file.
         scenario: How the run begins, and what happens in it: a file.
         lab: A file with your own robot, hand and table, laid over the scene.
         controller: A controller model.
@@ -54,7 +53,8 @@ def verify(
         collisions: Whether to check them.
 
     Raises:
-        VrtsError: A file is not there or has errors, or nothing says in which scene to verify.
+        VrtsError: A file is not there or has errors, nothing says in which scene to verify, or a
+            scene or task that was read before does not go with the rest.
 
     >>> import vrts
     >>> task = vrts.task("01-cans-on-bases")
@@ -73,15 +73,15 @@ def verify(
 
 @overload  # a text is no list of texts here
 def mark(  # pyright: ignore[reportOverlappingOverload]
-    programs: str | PathLike[str], task: File | Task, *, staff: bool = True
+    programs: str | PathLike[str], task: File | Task, *, staff: bool | None = None
 ) -> Assessment: ...
 @overload
 def mark(
-    programs: Iterable[Program], task: File | Task, *, staff: bool = True
+    programs: Iterable[Program], task: File | Task, *, staff: bool | None = None
 ) -> list[Assessment]: ...
 @public
 def mark(
-    programs: Program | Iterable[Program], task: File | Task, *, staff: bool = True
+    programs: Program | Iterable[Program], task: File | Task, *, staff: bool | None = None
 ) -> Assessment | list[Assessment]:
     r"""Mark one program by a task, or many, as `vrts grade` does: the hidden part counts too.
 
@@ -91,20 +91,25 @@ def mark(
     Args:
         programs: A program, or several, each as for `vrts.verify`.
         task: `task.toml`, its folder, a zip, the name of an example, or what `vrts.task` gives.
-        staff: Whether the hidden part of a task that is given by name counts.
+        staff: Whether the hidden part of a task that is given by name counts; None: it does. What
+            `vrts.task` gives has it or not.
 
     Returns:
         An assessment for one program; a list, in the same order, for several.
 
     Raises:
-        VrtsError: A file is not there or has errors.
+        VrtsError: A file is not there or has errors, or `staff` is given for what was read before.
 
     >>> import vrts
     >>> wrong = ".PROGRAM lazy()\nDELEY 1\n.END\n"
     >>> vrts.mark(wrong, "01-cans-on-bases").status
     'does not compile'
     """
-    setting = (task if isinstance(task, Task) else read_task(task, staff=staff)).setting
+    if isinstance(task, Task):
+        refuse("`vrts.task` has read the task, with the hidden part or without it", staff=staff)
+        setting = task.setting
+    else:
+        setting = read_task(task, staff=True if staff is None else staff).setting
     if isinstance(programs, str | PathLike):
         return _lowest(given(programs), setting)
     if not isinstance(programs, Iterable):  # pyright: ignore[reportUnnecessaryIsInstance]
@@ -126,14 +131,8 @@ def setting_of(
         VrtsError: Nothing says which scene.
     """
     scenario, lab, controller = more
-    where = Where(
-        None if scene is None or isinstance(scene, Scene) else str(path_of(scene)),
-        None if task is None or isinstance(task, Task) else task_path(task),
-        optional_path(scenario),
-        optional_path(lab),
-        word(controller, "controller"),
-    )
-    setting = setting_read(scene, task, where) or found_setting(file.path, where)
+    where = where_of(scene, task, scenario, lab, controller)
+    setting = setting_read(file, scene, task, where) or found_setting(file.path, where)
     if setting is None:
         raise wrong_call(
             "nothing says in which scene to verify the program",

@@ -121,6 +121,19 @@ def test_a_scene_and_a_task_that_were_read_serve_many_programs() -> None:
     assert (grip.x_mm, grip.y_mm, grip.o_deg) == (800.0, -450.0, 90.0)
 
 
+def test_a_scene_and_a_task_go_together_whether_read_or_named() -> None:
+    lazy = ".PROGRAM lazy()\nDELAY 1\n.END\n"
+    named = vrts.verify(lazy, scene="cans-on-bases", task=EXAMPLE)
+    assert (named.mark, named.total) == (0.0, 10.0)
+    scene, task = vrts.scene("cans-on-bases"), vrts.task(EXAMPLE)
+    for found in (
+        vrts.verify(lazy, scene=scene, task=EXAMPLE),
+        vrts.verify(lazy, scene="cans-on-bases", task=task),
+        vrts.verify(lazy, scene=scene, task=task),
+    ):
+        assert found.to_dict() == named.to_dict()
+
+
 def test_a_program_that_does_not_compile_is_an_answer() -> None:
     wrong = ".PROGRAM go()\nSPED 30\n.END\n"
     found = vrts.compile(wrong)

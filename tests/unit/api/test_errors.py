@@ -11,6 +11,7 @@ from tests.places import ROOT
 
 TURN = ".PROGRAM turn()\nDRIVE 1, 30, 100\n.END\n"
 WRONG = ".PROGRAM go()\nSPED 30\n.END\n"
+SCENE, TASK = "cans-on-bases", "01-cans-on-bases"
 anything: Any = vrts  # callers without types
 
 CALLS: list[tuple[str, Callable[[Path], object], str]] = [
@@ -51,6 +52,25 @@ CALLS: list[tuple[str, Callable[[Path], object], str]] = [
     ("half a sign", lambda _: vrts.run(TURN + "\ud800"), "error["),
     ("no real number", lambda _: anything.run(TURN).joints([1j]), "times are numbers"),
     ("null", lambda _: vrts.run("a\0b"), "without null characters"),
+    ("half a name", lambda _: vrts.run("\ud800"), "a path is text that files can be called by"),
+    ("long name", lambda _: vrts.task("x" * 300), "file name too long: `xxx"),
+    ("long text", lambda _: vrts.verify(TURN, task="x" * 300), "file name too long: `xxx"),
+    ("several times", lambda _: anything.run(TURN).at([0.0, 0.5]), "`at` takes one time"),
+    ("no time at all", lambda _: anything.run(TURN).at([]), "`at` takes one time"),
+    ("rate in words", lambda _: anything.run(TURN).to_csv(rate_hz="x"), "`rate_hz` is a number"),
+    ("of what", lambda _: anything.why(TURN, of=5, scene=SCENE), "`of` is text, not int"),
+    ("when", lambda _: anything.why(TURN, at_s="x", scene=SCENE), "`at_s` is a number, not str"),
+    ("never ran", lambda _: vrts.why(WRONG, of="can1", scene=SCENE), "`SPED` is not an instr"),
+    (
+        "hidden part",
+        lambda _: vrts.mark(TURN, vrts.task(TASK), staff=True),
+        "with the hidden part or without it\nhelp: leave out `staff`",
+    ),
+    (
+        "not checked",
+        lambda _: vrts.certificate(vrts.verify(TURN, scene=SCENE, collisions=False)),
+        "collisions were not checked, so there is nothing to prove",
+    ),
 ]
 
 
@@ -75,6 +95,46 @@ def test_what_was_read_keeps_its_lab() -> None:
     scene = vrts.scene("cans-on-bases")
     with pytest.raises(vrts.VrtsError, match=r"give `lab` and `controller` to `vrts.scene`"):
         vrts.run(TURN, scene=scene, lab="lab.toml")
+
+
+def test_another_scene_than_that_of_the_task_is_no_matter_of_what_was_read() -> None:
+    scene, task = vrts.scene("one-can-ur5"), vrts.task(TASK)
+    under = vrts.scene(SCENE, controller="vplus")
+    calls: list[Callable[[], object]] = [
+        lambda: vrts.verify(TURN, scene=scene, task=TASK),
+        lambda: vrts.verify(TURN, scene="one-can-ur5", task=task),
+        lambda: vrts.run(TURN, scene=scene, task=task),
+        lambda: vrts.prove(TURN, scene=scene, task=TASK),
+        lambda: vrts.verify(TURN, scene=under, task=task),
+    ]
+    for call in calls:
+        with pytest.raises(vrts.VrtsError, match="`scene` is not the scene of the task") as problem:
+            call()
+        assert "which is `cans-on-bases`\nhelp: leave out `scene`, or" in str(problem.value)
+    with pytest.raises(vrts.VrtsError, match="there is no scene `moon`"):
+        vrts.verify(TURN, scene="moon", task=task)
+
+
+@pytest.mark.parametrize("name", ["scene", "task", "scenario"])
+def test_an_assessment_is_asked_where_it_ran(name: str) -> None:
+    found = vrts.verify(TURN, scene=SCENE)
+    for ask in (anything.why, anything.certificate):
+        with pytest.raises(vrts.VrtsError, match="an assessment has its own") as problem:
+            ask(found, **{name: SCENE})
+        assert str(problem.value).endswith(f"help: leave out `{name}`")
+
+
+def test_a_saved_run_takes_nothing_from_outside(tmp_path: Path) -> None:
+    place = vrts.run(TURN).save(tmp_path / "run.vrun")
+    given: dict[str, object] = dict.fromkeys(
+        ("scene", "task", "scenario", "lab", "controller", "entry", "dialect"), "turn"
+    )
+    for name, value in (given | {"files": ("turn.v2",)}).items():
+        with pytest.raises(vrts.VrtsError, match="a saved run has its own") as problem:
+            anything.run(place, **{name: value})
+        assert str(problem.value).endswith(f"help: leave out `{name}`")
+    with pytest.raises(vrts.VrtsError, match="leave out `scenario`, `entry`"):
+        vrts.run(place, entry="turn", scenario="none.toml")
 
 
 def test_damaged_runs_are_told(tmp_path: Path) -> None:
