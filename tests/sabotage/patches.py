@@ -446,6 +446,20 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/pipeline/finding/test_task_of.py",),
     ),
     Patch(
+        "where everybody may write, a hand-in's own task is the only one",
+        "vrts/pipeline/finding/task_of.py",
+        "        if found[last + 1 :]:",
+        "        if False:",
+        ("tests/unit/pipeline/finding/test_task_of.py",),
+    ),
+    Patch(
+        "a hand-in brings the scene that it is verified in",
+        "vrts/pipeline/files.py",
+        "    found = _in_library(name) or _scene_in(Path.cwd(), name)\n    if",
+        "    found = beside and _scene_in(beside, name)\n    if",
+        ("tests/unit/pipeline/test_files.py",),
+    ),
+    Patch(
         "the name of a task depends on where one stands",
         "vrts/pipeline/settings.py",
         "task, found = read_task(source, setting.scene, name)",
@@ -1274,8 +1288,8 @@ PATCHES: tuple[Patch, ...] = (
     Patch(
         "marks in another lab count",
         "vrts/pipeline/settings.py",
-        "(lab is not None or scene not in (None, named))",
-        "scene not in (None, named)",
+        "(lab is not None or scene is not None)",
+        "scene is not None",
         ("tests/unit/assignments/test_lab_of_task.py",),
     ),
     Patch(

@@ -10,7 +10,7 @@ from vrts.base.diagnostic import error
 from vrts.base.safe_names import safe
 from vrts.check.task.task_places import lab_name, scene_name
 from vrts.pipeline.controllers import with_controller
-from vrts.pipeline.files import SCENE_FILE, TASK_FILE, read_bytes, read_toml_source
+from vrts.pipeline.files import SCENE_FILE, TASK_FILE, names_file, read_bytes, read_toml_source
 from vrts.pipeline.refused import Refused
 from vrts.pipeline.setting import Setting
 from vrts.pipeline.settings import load_task, setting_for
@@ -111,7 +111,7 @@ def _require_own_scene(bundle: Bundle, folder: Path, home: Path) -> None:
         lab = lab_name(source)
     places = {normpath(f"{named}/{end}") for end in ("", SCENE_FILE)}
     inside = places & bundle.files.keys()
-    if named is None or not inside:
+    if named is None or not inside or not names_file(named):
         raise Refused(found or (error(BAD_ARCHIVE, "the packed task has no scene of its own"),))
     if lab is not None and normpath(lab) not in bundle.files:
         raise Refused((error(BAD_ARCHIVE, "the packed task has no lab of its own"),))

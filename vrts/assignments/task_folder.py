@@ -20,7 +20,8 @@ from vrts.pipeline.files import (
     TASK_FILE,
     CannotRead,
     find_scene,
-    read_bytes,
+    member_bytes,
+    named_place,
     read_toml_source,
 )
 from vrts.pipeline.refused import Refused
@@ -94,7 +95,7 @@ def _add_lab(folder: Path, public: dict[str, bytes]) -> str:
     named = lab_name(read_toml_source(folder / TASK_FILE))
     if named is None:
         return ""
-    place = folder / named
+    place = named_place(folder, named)
     if not place.resolve().is_relative_to(folder.resolve()):
         raise CannotRead(
             f"the lab `{named}` is outside the task's folder",
@@ -157,4 +158,4 @@ def _bytes(path: Path) -> bytes:
     most = MAX_TOML if path.suffix == ".toml" else LARGEST
     if path.stat().st_size > most:
         raise CannotRead(f"`{path.name}` is too large: more than {most:,} bytes")
-    return read_bytes(path)
+    return member_bytes(path)

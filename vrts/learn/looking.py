@@ -27,7 +27,7 @@ from vrts.marking.layout import Layout
 from vrts.marking.result import Damaged
 from vrts.marking.row import class_from_bytes
 from vrts.pipeline.assess import assess
-from vrts.pipeline.files import SCENE_FILE, TASK_FILE, CannotRead, read_bytes
+from vrts.pipeline.files import SCENE_FILE, TASK_FILE, CannotRead, named_place, read_bytes
 from vrts.pipeline.refused import Refused
 from vrts.pipeline.requesting import request_for
 from vrts.pipeline.scenes import load_scene
@@ -79,7 +79,7 @@ class Looking:
         Raises:
             CannotRead: It does.
         """
-        place = self.folder / name
+        place = named_place(self.folder, name)
         if not place.resolve().is_relative_to(self.folder.resolve()):
             raise CannotRead(f"`{name}` leads out of the lesson's folder")
         return place

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from vrts.base.safe_names import safe
 from vrts.live.settings import Place
-from vrts.pipeline.files import SCENE_FILE, TASK_FILE, CannotRead, find_example, find_scene
+from vrts.pipeline.files import SCENE_FILE, TASK_FILE, CannotRead, asked_scene, find_example
 
 
 def places_of(names: Sequence[str], lab: Path | None = None) -> tuple[Place, ...]:
@@ -33,7 +33,7 @@ def _place(name: str) -> Place:
     task = _task(name)
     if task is not None:
         return Place(safe(task.resolve().parent.name)[:64], "", str(task.resolve()))
-    scene = find_scene(name).resolve()
+    scene = asked_scene(name).resolve()
     id_ = scene.parent.name if scene.name == SCENE_FILE else scene.stem
     return Place(safe(id_)[:64], str(scene), "")
 

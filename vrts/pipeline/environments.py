@@ -7,7 +7,7 @@ from pathlib import Path
 from vrts.base.diagnostic import Diagnostic, Label, Rule, error
 from vrts.base.source import SourceFile
 from vrts.check.task.task import Task
-from vrts.pipeline.files import CannotRead, read_toml_source
+from vrts.pipeline.files import CannotRead, named_place, read_toml_source
 from vrts.pipeline.refused import Refused
 from vrts.pipeline.setting import Setting, accepted, scenario_of
 from vrts.prove.environment.environment import Environment
@@ -93,12 +93,12 @@ def environment_file(task: Task, folder: Path) -> Path | None:
     """Return the file in which a task says what may come; None where it names none.
 
     Raises:
-        CannotRead: It is outside the folder of the task.
+        CannotRead: It is no name of a file, or one outside the folder of the task.
     """
     named = None if task.proof is None else task.proof.environment
     if named is None:
         return None
-    place = folder / named
+    place = named_place(folder, named)
     if not place.resolve().is_relative_to(folder.resolve()):
         raise CannotRead(
             f"the environment `{named}` is outside the task's folder",

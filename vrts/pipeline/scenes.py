@@ -9,7 +9,7 @@ from vrts.base.source import SourceFile
 from vrts.ir.system import PARAMETERS
 from vrts.pipeline.alone import robot_alone
 from vrts.pipeline.controllers import with_controller
-from vrts.pipeline.files import find_scene, read_toml_source
+from vrts.pipeline.files import asked_scene, find_scene, read_toml_source
 from vrts.pipeline.setting import Setting, accepted
 from vrts.pipeline.where import Where
 from vrts.scene.reading.scenario_file import read_scenario
@@ -23,7 +23,7 @@ def load_scene(
 
     Args:
         name: A path, or a name of the library.
-        beside: Folder to look in first.
+        beside: Folder of the file that names it; None: whoever calls does.
         home: As for `read_toml_source`.
         lab: File of a lab.
 
@@ -31,7 +31,7 @@ def load_scene(
         CannotRead: There is no such scene or lab.
         Refused: One of the files has errors.
     """
-    path = find_scene(name, beside)
+    path = asked_scene(name) if beside is None else find_scene(name, beside)
     source = read_toml_source(path, home)
     # the name of a scene depends neither on the working folder nor on how its path was typed
     named = safe(scene_name(str(path.resolve()))) if home is None else None
@@ -75,12 +75,15 @@ def free_setting(where: Where, beside: Path | None = None) -> Setting:
 
     Args:
         where: Names of scene, lab, controller and scenario.
-        beside: Folder to look for the scene in first.
+        beside: Folder to look for the scene in last.
 
     Raises:
         CannotRead: One of the files is not there.
         Refused: One of them has errors.
     """
-    setting = load_scene(where.scene, beside, lab=where.lab) if where.scene else robot_alone()
+    if where.scene:
+        setting = load_scene(str(asked_scene(where.scene, beside)), lab=where.lab)
+    else:
+        setting = robot_alone()
     setting = with_controller(setting, where.controller)
     return setting if where.scenario is None else with_scenario(setting, where.scenario)

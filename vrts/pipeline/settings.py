@@ -24,7 +24,9 @@ from vrts.pipeline.files import (
     SCENARIO_FILE,
     STAFF,
     TASK_FILE,
-    read_bytes,
+    asked_scene,
+    member_bytes,
+    named_place,
     read_toml_source,
 )
 from vrts.pipeline.finding.task_of import task_of
@@ -60,11 +62,15 @@ def load_task(
         Refused: One of the files has errors.
     """
     folder = path if path.is_dir() else path.parent
+    scene = scene or None
     source = read_toml_source(folder / TASK_FILE if path.is_dir() else path, home)
     named, found = scene_name(source)
     own_lab = lab_name(source)
-    its_lab = None if own_lab is None else folder / own_lab
-    setting = load_scene(scene or accepted(named, found), folder, home, lab or its_lab)
+    its_lab = None if own_lab is None else named_place(folder, own_lab)
+    if scene is None:
+        setting = load_scene(accepted(named, found), folder, home, lab or its_lab)
+    else:
+        setting = load_scene(str(asked_scene(scene, folder)), None, home, lab or its_lab)
     setting = with_controller(setting, controller_name(source))
     stamps: tuple[Diagnostic, ...] = ()
     more, is_whole = 0, True
@@ -72,7 +78,7 @@ def load_task(
         packed = _packed_files(folder)
         manifest = packed[MANIFEST_FILE]
         stamps, more, is_whole = altered(packed), announced(manifest), not for_students(manifest)
-    if named is not None and (lab is not None or scene not in (None, named)):
+    if named is not None and (lab is not None or scene is not None):
         stamps += other_scene(load_scene(named, folder, home, its_lab).scene, setting.scene)
     hidden, name = 0, safe(folder.resolve().name or "task")  # the same wherever one stands
     if staff and (folder / STAFF / TASK_FILE).is_file():
@@ -129,12 +135,12 @@ def _with_variants(
 
 def _packed_files(folder: Path) -> dict[str, bytes]:
     """Return the files that the manifest of an unpacked task names, as far as they are there."""
-    manifest = read_bytes(folder / MANIFEST_FILE)[: MAX_TOML + 1]
+    manifest = member_bytes(folder / MANIFEST_FILE)[: MAX_TOML + 1]
     found = {MANIFEST_FILE: manifest}
     for name in listed(manifest):
         place = folder / name
         if place.resolve().is_relative_to(folder.resolve()) and place.is_file():
-            found[name] = read_bytes(place)
+            found[name] = member_bytes(place)
     return found
 
 
@@ -150,7 +156,8 @@ def setting_for(program: Path | None, where: Where = ANYWHERE) -> Setting | None
         return with_controller(load_task(task, scene, scenario, lab=lab), controller)
     beside = program.parent if program is not None else None
     if scene is not None:
-        setting = with_controller(load_scene(scene, beside, lab=lab), controller)
+        asked = load_scene(str(asked_scene(scene, beside)), lab=lab)
+        setting = with_controller(asked, controller)
         return setting if scenario is None else with_scenario(setting, scenario)
     found = None if program is None else task_of(program)
     if found is None:

@@ -16,7 +16,7 @@ from vrts.engine.storage.load import SavedRun, opened, restored
 from vrts.ir.module import Module
 from vrts.lang.compiler import Options, compile_sources
 from vrts.lang.dialect import DIALECTS, Precedence
-from vrts.pipeline.files import CannotRead, find_scene
+from vrts.pipeline.files import CannotRead, asked_scene
 from vrts.pipeline.refused import Refused
 from vrts.report.plain import one_line
 from vrts.run_files.simulated import Simulated, told_of
@@ -139,6 +139,6 @@ def _controlled(saved: SavedRun, scene: Scene) -> Scene:
 
 def _library_folder(name: str) -> Path | None:
     try:
-        return find_scene(name).parent
+        return asked_scene(name).parent
     except CannotRead:
         return None

@@ -230,15 +230,15 @@ def _tried(setting: "Setting") -> "Scene":
 def scene_files(name: Path, origin: str | None) -> dict[str, bytes]:
     """Return the files of a new scene: a simple one, or a copy."""
     from vrts.assignments.new_scene import new_scene
-    from vrts.pipeline.files import SCENE_FILE, find_scene, read_bytes
+    from vrts.pipeline.files import SCENE_FILE, asked_scene, member_bytes, read_bytes
 
     if origin is None:
         return {SCENE_FILE: new_scene(name.resolve().name, _words(name)).encode()}
-    place = find_scene(_scene_of(origin))
+    place = asked_scene(_scene_of(origin))
     found = {SCENE_FILE: read_bytes(place)}
     for path in sorted(place.parent.iterdir()):
         if path.suffix.lower() in (".urdf", ".stl", ".obj", ".dae"):
-            found[path.name] = read_bytes(path)
+            found[path.name] = member_bytes(path)
     return found
 
 
@@ -251,7 +251,7 @@ def _scene_of(origin: str) -> str:
     if folder is None or not (folder / TASK_FILE).is_file():
         return origin
     named, _ = scene_name(read_toml_source(folder / TASK_FILE))
-    return origin if named is None else str(find_scene(named, folder))
+    return origin if named is None else str(find_scene(named, folder).resolve())
 
 
 def _words(name: Path) -> str:

@@ -148,9 +148,9 @@ def watch_scene(
 ) -> None:
     """Show scene NAME, and again whenever its file or the lab is saved. Control-C ends it."""
     from vrts.cli.shared.watching import watch
-    from vrts.pipeline.files import TASK_FILE, find_scene
+    from vrts.pipeline.files import TASK_FILE, asked_scene
 
-    place = find_scene(name)
+    place = asked_scene(name)
     task = place.parent / TASK_FILE
     until = None if seconds is None else time.monotonic() + seconds
 

@@ -1,6 +1,5 @@
 """Programs as commands are given them, and how they are to be read."""
 
-import sys
 from pathlib import Path
 from typing import NoReturn
 
@@ -8,22 +7,20 @@ from vrts.api.given import Given
 from vrts.cli.shared.console import fail, say
 from vrts.cli.shared.options import Language
 from vrts.pipeline.compiling.reading import ProgramFile, Reading
-from vrts.pipeline.files import read_bytes, shown
+from vrts.pipeline.files import STDIN, read_bytes, read_stdin, shown
 from vrts.pipeline.where import Where
 
 __all__ = ["STDIN", "Given", "given_program", "reading_of", "require_scene_of_lab"]
-
-STDIN = "-"
 
 
 def given_program(name: str) -> Given:
     """Return a program by the name of its file; `-` is stdin.
 
     Raises:
-        CannotRead: There is no such file.
+        CannotRead: There is no such file, or stdin is too large.
     """
     if name == STDIN:
-        return Given(ProgramFile(sys.stdin.buffer.read(), "stdin"), None)
+        return Given(ProgramFile(read_stdin(), "stdin"), None)
     path = Path(name)
     return Given(ProgramFile(read_bytes(path), shown(path)), path)
 

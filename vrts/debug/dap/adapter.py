@@ -17,7 +17,7 @@ from vrts.debug.dap.session import Answer, Json, Session
 from vrts.debug.dap.stopping import STOPPING
 from vrts.debug.evaluating import CannotTell
 from vrts.debug.opening import Asked, opened, why_not
-from vrts.pipeline.files import CannotRead
+from vrts.pipeline.files import CannotRead, names_file
 from vrts.pipeline.refused import Refused
 from vrts.pipeline.where import Where
 from vrts.report.screen.text import diagnostic_text
@@ -129,23 +129,31 @@ class Adapter:
 
 
 def _asked(a: Fields) -> Asked:
+    scene = a.optional("scene")
     return Asked(
         program=Path(a.text("program")),
         where=Where(
-            a.optional("scene"),
+            scene and _named(scene),
             _path(a.optional("task")),
             _path(a.optional("scenario")),
             _path(a.optional("lab")),
             a.optional("controller"),
         ),
         entry=a.optional("entry"),
-        others=tuple(Path(name) for name in a.texts("with")),
+        others=tuple(Path(_named(name)) for name in a.texts("with")),
         dialect=a.optional("dialect"),
     )
 
 
 def _path(text: str | None) -> Path | None:
-    return None if text is None else Path(text)
+    return None if text is None else Path(_named(text))
+
+
+def _named(text: str) -> str:
+    """Return the name of a file; `-` is none, since stdin carries the requests."""
+    if not names_file(text):
+        raise BadRequest(f"`{text}` is no name of a file")
+    return text
 
 
 def _told(diagnostics: Sequence[Diagnostic]) -> str:

@@ -7,7 +7,8 @@ from typing import TypeAlias
 
 from vrts.check.task.task_places import lab_name, scene_name
 from vrts.lsp.documents.documents import is_program_file
-from vrts.pipeline.files import TASK_FILE, CannotRead, find_scene, read_toml_source
+from vrts.pipeline.files import CannotRead, find_scene, named_place, read_toml_source
+from vrts.pipeline.finding.task_of import task_of
 
 MOST_FILES = 500  # of a folder that are looked at
 _DEPTH = 3  # of folders within the folder of a scene: its meshes
@@ -33,14 +34,12 @@ def setting_stamp(program: str) -> Stamp:
 
 
 def task_file(program: str) -> str | None:
-    """Return the task beside a program, or beside the folder of submissions that it is in."""
-    folder = os.path.dirname(program)
-    above = os.path.dirname(folder) if os.path.basename(folder) == "submissions" else folder
-    for place in (folder, above):
-        task = os.path.join(place, TASK_FILE)
-        if os.path.isfile(task):
-            return task
-    return None
+    """Return the task that a program is verified by; None where there is none, or several."""
+    try:
+        task = task_of(Path(program))
+    except CannotRead:
+        return None  # the verification says why
+    return None if task is None else str(task)
 
 
 def _folders(task: str) -> tuple[str, ...]:
@@ -53,7 +52,7 @@ def _folders(task: str) -> tuple[str, ...]:
         if scene is not None:
             found.append(find_scene(scene, folder).parent)
         if lab is not None:
-            found.append((folder / lab).parent)
+            found.append(named_place(folder, lab).parent)
     except CannotRead:
         pass  # whoever reads the task says so
     return tuple(dict.fromkeys(str(place.resolve()) for place in found))

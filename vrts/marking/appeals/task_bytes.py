@@ -11,7 +11,7 @@ from vrts.marking.appeals.evidence import OVER, TASK
 from vrts.marking.appeals.evidence_zip import known_name
 from vrts.marking.result import Result
 from vrts.marking.submission.setting import Place, load
-from vrts.pipeline.files import STAFF, TASK_FILE, find_scene, read_bytes
+from vrts.pipeline.files import STAFF, TASK_FILE, asked_scene, read_bytes
 from vrts.pipeline.refused import Refused
 
 OTHER_TASK = Rule("V763", "task-changed-since")
@@ -32,7 +32,7 @@ def task_files(place: Place, result: Result) -> tuple[Place, dict[str, bytes]]:
     files = {TASK: read_bytes(path) if is_packed(path) else _packed(path, place, result)}
     beside = path.parent
     inside = {
-        "scene": _over(files, "scene", place.scene and find_scene(place.scene, beside)),
+        "scene": _over(files, "scene", place.scene and asked_scene(place.scene, beside)),
         "scenario": _over(files, "scenario", place.scenario and Path(place.scenario)),
         "lab": _over(files, "lab", place.lab and Path(place.lab)),
     }

@@ -7,7 +7,7 @@ from vrts.assignments.packed import is_packed
 from vrts.assignments.task_folder import read_folder, with_shapes
 from vrts.marking.result import Record
 from vrts.marking.submission.setting import Place
-from vrts.pipeline.files import TASK_FILE, CannotRead, find_scene, read_bytes
+from vrts.pipeline.files import TASK_FILE, CannotRead, asked_scene, read_bytes
 from vrts.pipeline.settings import load_task
 
 _TASK = "task.zip"
@@ -38,7 +38,7 @@ def portable(place: Place) -> PortableTask:
     """
     path = Path(place.task)
     beside = path if path.is_dir() else path.parent
-    scene = None if place.scene is None else find_scene(place.scene, beside)
+    scene = None if place.scene is None else asked_scene(place.scene, beside)
     return PortableTask(
         read_bytes(path) if is_packed(path) else _packed(path),
         None if scene is None else _laid(scene),

@@ -2,8 +2,9 @@
 
 Programs may be anybody's, and so may what stands beside them. A folder of hand-ins is known by its
 name: whatever is in it, a task too, was handed in. Two different tasks on the way up are a question
-for whoever asks, not a choice of ours. Where everybody may write, as in `/tmp`, no task is looked
-for, unless the program itself stands there.
+for whoever asks, not a choice of ours. Where everybody may write, as in `/tmp`, in a home, and too
+far above, no task is taken, unless the program itself stands there; but one that stands there makes
+it a question, too, whether the task below it was handed in.
 """
 
 import os
@@ -11,6 +12,7 @@ import stat
 from collections.abc import Iterator
 from filecmp import cmp
 from pathlib import Path
+from typing import NamedTuple
 
 from vrts.pipeline.files import STAFF, TASK_FILE, CannotRead
 
@@ -18,54 +20,72 @@ HAND_INS = ("submissions", "hand-ins", "handins")  # names of folders of what wa
 MOST_LEVELS = 4  # how far above a program its task may be
 
 
+class _Found(NamedTuple):
+    """A task on the way up."""
+
+    task: Path
+    may_be_meant: bool  # it is not only there to be asked about
+
+
 def task_of(program: Path) -> Path | None:
     """Return the file of the task that a program belongs to.
 
     Raises:
-        CannotRead: Different tasks may be meant.
+        CannotRead: Different tasks may be meant, or one of them cannot be read.
     """
-    folder = program.parent.resolve()
-    found = list(_tasks(folder))
-    if not found or len(folder.parts) - len(found[0].parent.parts) > MOST_LEVELS:
-        return None
-    task = found[-1]
-    for other in found[:-1]:
-        if not cmp(other, task, shallow=False):
-            raise CannotRead(
-                f"two tasks may be meant: `{_shown(other, program)}` and `{_shown(task, program)}`",
-                ("say which with `--task FILE`: one may have been handed in with the program",),
-            )
-    return _shown(task, program)
+    try:
+        found = list(_tasks(_real(program.parent)))
+        meant = [k for k, one in enumerate(found) if one.may_be_meant]
+        if not meant:
+            return None
+        last = meant[-1]
+        task = found[last].task
+        for nearer in meant[:-1]:
+            if not cmp(found[nearer].task, task, shallow=False):
+                raise _question(found[nearer].task, task, program)
+        if found[last + 1 :]:  # the same text would not do: a task names files beside it
+            raise _question(task, found[last + 1].task, program)
+        return _shown(task, program)
+    except OSError as problem:
+        reason = (problem.strerror or "unreadable").lower()
+        where = "" if problem.filename is None else f": `{problem.filename}`"
+        raise CannotRead(f"cannot tell the task of `{program}`: {reason}{where}") from problem
 
 
 def is_beside(task: Path, program: Path) -> bool:
     """Return whether a task stands in the folder of a program."""
-    return task.parent.resolve() == program.parent.resolve()
+    return _real(task.parent) == _real(program.parent)
 
 
-def _tasks(folder: Path) -> Iterator[Path]:
+def _question(near: Path, far: Path, program: Path) -> CannotRead:
+    return CannotRead(
+        f"two tasks may be meant: `{_shown(near, program)}` and `{_shown(far, program)}`",
+        ("say which with `--task FILE`: one may have been handed in with the program",),
+    )
+
+
+def _tasks(folder: Path) -> Iterator[_Found]:
     """Yield the tasks from a folder upward that were not handed in, the nearest first."""
     above = [folder, *folder.parents]
     handed_in = [k for k, at in enumerate(above) if at.name.lower() in HAND_INS]
     first = handed_in[-1] + 1 if handed_in else int(folder.name == STAFF)
-    home = Path(os.path.expanduser("~")).resolve()
-    for at in above[first:]:
-        if at != folder and at == home:
+    home = _real(Path(os.path.expanduser("~")))
+    for levels, at in enumerate(above[first:], first):
+        ends = at == home != folder
+        if os.path.isfile(at / TASK_FILE):
+            is_ours = levels <= MOST_LEVELS and not ends and not _for_everybody(at)
+            yield _Found(at / TASK_FILE, at == folder or is_ours)
+        if ends:
             return
-        if _is_file(at / TASK_FILE) and (at == folder or not _for_everybody(at)):
-            yield at / TASK_FILE
-
-
-def _is_file(path: Path) -> bool:
-    try:
-        return path.is_file()
-    except PermissionError:  # a folder above that we may not look into
-        return False
 
 
 def _for_everybody(folder: Path) -> bool:
     """Return whether everybody may put files there."""
     return os.name != "nt" and bool(folder.stat().st_mode & stat.S_IWOTH)
+
+
+def _real(folder: Path) -> Path:
+    return Path(os.path.realpath(folder))
 
 
 def _shown(task: Path, program: Path) -> Path:

@@ -77,6 +77,43 @@ def test_where_everybody_may_write_no_task_is_looked_for(lab: Path) -> None:
     assert task_of(program()) == Path("task.toml"), "but beside the program it is its user's choice"
 
 
+@pytest.mark.parametrize("own", ["# anna's own\n", "# the teacher's\n"])
+@pytest.mark.parametrize("below", [("anna",), ("anna", "1")])
+def test_what_is_not_taken_where_everybody_may_write_is_asked_about(
+    lab: Path, own: str, below: tuple[str, ...]
+) -> None:
+    """A copy of the teacher's, too: the scene that it names stands beside it, and may be anna's."""
+    path = program(*below, task=own)
+    lab.chmod(0o777)  # as all folders are on a disk of Windows, seen from WSL
+    with pytest.raises(CannotRead, match=r"two tasks may be meant: `anna.*` and `task.toml`"):
+        task_of(path)
+
+
+def test_what_somebody_puts_below_the_task_of_a_folder_is_not_taken_or_asked_about() -> None:
+    path = program("drop", "anna")
+    Path("drop", "task.toml").write_text("# anybody's\n")
+    Path("drop").chmod(0o777)
+    assert task_of(path) == Path("task.toml")
+
+
+def test_at_home_and_far_above_it_is_the_same(lab: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    far = program(*["a"] * (MOST_LEVELS + 1), task="# the teacher's\n")
+    with pytest.raises(CannotRead, match="two tasks may be meant"):
+        task_of(far)
+    monkeypatch.setenv("HOME", str(lab))
+    with pytest.raises(CannotRead, match="two tasks may be meant"):
+        task_of(program("anna", task="# anna's own\n"))
+
+
+@pytest.mark.skipif(not Path("/proc/self/mem").exists(), reason="needs a file that fails")
+def test_a_task_that_cannot_be_read_is_told(lab: Path) -> None:
+    path = program("anna", task="")
+    (lab / "task.toml").unlink()
+    (lab / "task.toml").symlink_to("/proc/self/mem")  # has no bytes, and says so only when read
+    with pytest.raises(CannotRead, match=r"cannot tell the task of `anna/p.v2`: input/output"):
+        task_of(path)
+
+
 def test_the_search_ends_at_home(lab: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("HOME", str(lab))
     assert task_of(program("anna")) is None
