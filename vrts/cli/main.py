@@ -13,6 +13,7 @@ import click
 from vrts import __version__
 from vrts.cli.grammar.ending import Ending, open_streams, run
 from vrts.cli.grammar.group import LazyGroup
+from vrts.cli.shared.console import guarded, out
 
 SECTIONS = {  # heading: name: where it is, what it does
     "Write programs": {
@@ -114,12 +115,13 @@ class Vrts(Ending, LazyGroup):
 )
 @click.version_option(__version__, "-V", "--version", prog_name="vrts")
 @click.pass_context
+@guarded
 def vrts(ctx: click.Context) -> None:
     """Compile, simulate, verify and mark VAL-II robot programs."""
     if ctx.invoked_subcommand is None:
         from vrts.learn.standing import standing
 
-        click.echo(standing(Path()).text, nl=False)
+        out(standing(Path()).text, end=False)
 
 
 def main() -> None:

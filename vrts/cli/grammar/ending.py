@@ -17,12 +17,14 @@ from vrts.cli.shared.console import (
     WRONG_CALL,
     CannotSay,
     reason_of,
+    sentence_of,
     warn,
 )
 
 HUNG_UP = 129  # as shells tell it of a program whose terminal has gone
 READER_GONE = 141  # as shells tell it of a program whose reader has left
 OUT, ERR = 1, 2
+OF_STREAMS = (errno.EBADF, errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO)
 
 
 class ReaderLeft(Exception):  # noqa: N818 -- names the situation
@@ -72,10 +74,10 @@ def run(command: click.Command, name: str) -> int:
         return READER_GONE
     except CannotSay as problem:
         return _cannot_say(str(problem), problem.__cause__)
-    except OSError as problem:  # of a stream that click wrote to: files are told where they fail
-        if problem.filename is not None:
-            return _fault()
-        return _cannot_say(f"cannot write to stdout: {reason_of(problem)}", problem)
+    except OSError as problem:
+        if problem.filename is None and problem.errno in OF_STREAMS:  # that click wrote to
+            return _cannot_say(f"cannot write to stdout: {reason_of(problem)}", problem)
+        return _wrong_call(sentence_of(problem))
     except Exception:  # the last line of defence: a fault of ours has its own status
         return _fault()
 
@@ -86,6 +88,11 @@ def _cannot_say(sentence: str, problem: BaseException | None) -> int:
     if isinstance(problem, OSError) and problem.errno == errno.EIO:
         _forget(ERR)
         return HUNG_UP
+    return _wrong_call(sentence)
+
+
+def _wrong_call(sentence: str) -> int:
+    """Say what the system refused; return the exit status."""
     try:
         warn(f"error: {sentence}")
     except CannotSay:  # stderr is full, too: the status alone is left

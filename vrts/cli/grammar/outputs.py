@@ -1,13 +1,14 @@
 """Outputs that cannot be written are told before anything is run."""
 
 import os
+import stat
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 import click
 
-from vrts.cli.shared.console import STDOUT, fail
+from vrts.cli.shared.console import STDOUT, fail, reason_of
 
 FILES = frozenset(  # options that name a file to write, in whatever command
     (
@@ -23,6 +24,7 @@ FOLDERS = (  # what `--output` names there, or a file that is written in pieces
     *(("teach", "output"), ("fetch", "output"), ("learn", "output")),
 )
 OWN = (("point", "--save"),)  # take more than a file
+ALSO = (("rehearse", "--log"),)  # elsewhere it names a file that is read
 
 
 def require_outputs(command: click.Command, values: Mapping[str, Any]) -> bool:
@@ -38,12 +40,13 @@ def require_outputs(command: click.Command, values: Mapping[str, Any]) -> bool:
         value = values.get(param.name or "")
         if option is None or not isinstance(value, str | Path):
             continue
+        in_pieces = option in NO_STREAM or (command.name, param.name) in FOLDERS
         if str(value) == STDOUT:
-            if option in NO_STREAM or (command.name, param.name) in FOLDERS:
+            if in_pieces:
                 fail(f"`{option}` wants a name, not `-`")
             to_stdout.append(option)
         else:
-            _require(Path(value), option, is_file=option != EITHER)
+            _require(Path(value), option, is_file=option != EITHER, in_pieces=in_pieces)
     if to_stdout and values.get("form") == "json":
         to_stdout.append("--json")
     if len(to_stdout) > 1:
@@ -56,29 +59,59 @@ def _output(command: click.Command, param: click.Parameter) -> str | None:
     """Return the name of an option that says what is written; None for all others."""
     if not isinstance(param, click.Option):
         return None
-    names = {*FILES, EITHER} & set(param.opts)
+    also = {option for name, option in ALSO if name == command.name}
+    names = {*FILES, EITHER, *also} & set(param.opts)
     option = next(iter(names), None)
     return None if (command.name, option) in OWN else option
 
 
-def _require(path: Path, option: str, *, is_file: bool) -> None:
-    if path.is_dir():
+def _require(path: Path, option: str, *, is_file: bool, in_pieces: bool) -> None:
+    there = _status(path)
+    if there is not None and stat.S_ISDIR(there.st_mode):
         if is_file:
             fail(f"`{path}` is a folder, and `{option}` writes a file")
         _require_writable(path)
-        return
-    if path.exists():
-        if not os.access(path, os.W_OK):
+    elif there is not None:
+        is_replaced = not in_pieces and stat.S_ISREG(there.st_mode)
+        if is_replaced:
+            _require_writable(_home(path))
+        if not (is_replaced and _may_be_replaced(there)) and not os.access(path, os.W_OK):
             fail(f"`{path}` may not be written to")
-        return
-    home = path.parent
-    if is_file and not home.is_dir():
-        fail(f"there is no folder `{home}` for `{path.name}`", ("make it first",))
-    while not home.exists():
-        home = home.parent
-    if not home.is_dir():
-        fail(f"`{home}` is no folder, so `{path}` cannot be written")
-    _require_writable(home)
+    else:
+        home = _home(path)
+        if is_file and not os.path.isdir(home):
+            fail(f"there is no folder `{home}` for `{path.name}`", ("make it first",))
+        while not os.path.exists(home):
+            home = home.parent
+        if not os.path.isdir(home):
+            fail(f"`{home}` is no folder, so `{path}` cannot be written")
+        _require_writable(home)
+
+
+def _status(path: Path) -> os.stat_result | None:
+    """Return what there is about a file; None where there is none."""
+    try:
+        return path.stat()
+    except (FileNotFoundError, NotADirectoryError):
+        return None
+    except OSError as problem:
+        fail(f"`{path}` cannot be written: {reason_of(problem)}")
+
+
+def _home(path: Path) -> Path:
+    """Return the folder that a file is written in: where a link leads, not where it is."""
+    return (Path(os.path.realpath(path)) if os.path.islink(path) else path).parent
+
+
+def _may_be_replaced(there: os.stat_result) -> bool:
+    """Return whether another file may take the place of one, with its owner, as `write_file` does.
+
+    Where it may not, the file itself is written to.
+    """
+    if os.name == "nt":
+        return False
+    groups = (os.getegid(), *os.getgroups())
+    return os.geteuid() in (0, there.st_uid) and (os.geteuid() == 0 or there.st_gid in groups)
 
 
 def _require_writable(folder: Path) -> None:

@@ -1,12 +1,13 @@
 """What may stand for a parameter, by its name: resolved once, here, before any command sees it."""
 
+import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from vrts.cli.grammar.completing import offering
-from vrts.cli.shared.console import fail
+from vrts.cli.shared.console import fail, reason_of
 
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
@@ -26,7 +27,7 @@ class ProgramFile(click.ParamType[Any]):
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
         """Return the program's file as the command wants it."""
-        if isinstance(value, str) and Path(value).is_dir():
+        if isinstance(value, str) and os.path.isdir(value):
             value = str(_program_in(Path(value)))
         return self._kind.convert(value, param, ctx)
 
@@ -49,17 +50,20 @@ def completed(param: click.Parameter, command: str) -> click.Parameter:
 
 def _program_in(folder: Path) -> Path:
     """Return the only program in a folder, or say which there are."""
-    found = sorted(
-        path
-        for path in folder.iterdir()
-        if path.suffix.lower() in PROGRAM_ENDINGS and path.is_file() and path.name[0] != "."
-    )
+    try:
+        names = sorted(os.listdir(folder))
+    except OSError as problem:
+        fail(f"cannot look into the folder `{folder}`: {reason_of(problem)}")
+    programs = (folder / name for name in names if name[0] != ".")
+    found = [
+        path for path in programs if path.suffix.lower() in PROGRAM_ENDINGS and os.path.isfile(path)
+    ]
     if len(found) == 1:
         return found[0]
     if not found:
         fail(f"there is no program in `{folder}`", ("name the file of a program",))
-    names = ", ".join(f"`{path.name}`" for path in found[:9])
+    shown = ", ".join(f"`{path.name}`" for path in found[:9])
     return fail(
-        f"there are several programs in `{folder}`: {names}",
+        f"there are several programs in `{folder}`: {shown}",
         ("name one of them", f"`vrts grade {folder}` marks what was handed in for a task"),
     )

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from vrts.cli.shared.console import WRONG, fail, guarded, out, say, write_file
+from vrts.cli.shared.console import STDOUT, WRONG, fail, guarded, out, say, write_file
 from vrts.cli.shared.options import file_option, no_open_option
 from vrts.cli.shared.run_page import assessed, open_page, write_page
 
@@ -72,7 +72,8 @@ def command(
         write_file(table, "".join(run_csv(run, rate)).encode())
         say(f"wrote {table}")
     if page:
-        _show(file, run, source, target, opens=not no_open)
+        opens = not no_open and str(target) != STDOUT  # nobody opens what went to stdout
+        _show(file, run, source, target, opens=opens)
 
 
 def _saved(file: Path) -> "Run":

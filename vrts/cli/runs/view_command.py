@@ -9,7 +9,16 @@ from typing import TYPE_CHECKING
 
 import click
 
-from vrts.cli.shared.console import HOLDS, WRONG, fail, guarded, say, show_diagnostics, write_file
+from vrts.cli.shared.console import (
+    HOLDS,
+    STDOUT,
+    WRONG,
+    fail,
+    guarded,
+    say,
+    show_diagnostics,
+    write_file,
+)
 from vrts.cli.shared.options import (
     TASK_OR_ALONE,
     color_option,
@@ -76,6 +85,10 @@ def command(
         if not no_open:
             _open(file, "rerun")
         sys.exit(HOLDS)
+    if str(target) == STDOUT:
+        if viewer == "rerun" and still is None:
+            fail("`--output` wants a name, not `-`", ("a recording is written in pieces",))
+        no_open = True  # nobody opens what went to stdout
     found = _of_run(file) if file.suffix == RUN else _of_program(file, where, still is None)
     if found.run is None:
         show_diagnostics(found.findings, color)

@@ -115,6 +115,20 @@ def reason_of(problem: OSError) -> str:
     return (problem.strerror or str(problem) or "it failed").lower()
 
 
+def sentence_of(problem: OSError) -> str:
+    """Return in words why the system refused, and for which file."""
+    if problem.filename is not None:
+        return f"{reason_of(problem)}: `{problem.filename}`"
+    return reason_of(problem) if _is_somewhere() else "the working folder is gone"
+
+
+def _is_somewhere() -> bool:
+    try:
+        return bool(os.getcwd())
+    except FileNotFoundError:
+        return False
+
+
 def show_diagnostics(found: Sequence[Diagnostic], color: str) -> None:
     """Write diagnostics to stderr, and count them."""
     from vrts.report.screen.text import diagnostic_text
@@ -173,8 +187,7 @@ def guarded(function: Command) -> Command:
             if was_interrupted(problem):
                 warn("interrupted")
                 sys.exit(INTERRUPTED)
-            where = "" if problem.filename is None else f": `{problem.filename}`"
-            fail(reason_of(problem) + where)
+            fail(sentence_of(problem))
 
     return wrapped  # type: ignore[return-value]
 
