@@ -5,7 +5,7 @@ from pathlib import Path
 STUDENTS, STAFF = "students", "staff"
 STAGING = ".staging"  # in `staff`: what processes are writing
 RESULT = "result.json"
-LOST = "lost.txt"  # why a process gave no answer
+LOST = "lost.txt"  # why a process gave no answer, or only the mark
 
 
 class Layout:

@@ -13,12 +13,22 @@ from typing import NamedTuple
 
 from vrts.marking.layout import LOST, RESULT, Layout, write_atomically
 from vrts.marking.result import Damaged, Kind, Result, from_bytes, to_bytes
-from vrts.marking.submission.marker import STAFF, STUDENT, WRITTEN, Marker, Marks, read_marks
+from vrts.marking.submission.marker import (
+    STAFF,
+    STUDENT,
+    WRITTEN,
+    Marker,
+    Marks,
+    made_before,
+    read_marks,
+)
 from vrts.marking.submission.one import Order
 from vrts.marking.submission.report_files import RECORDING, REPORT
 from vrts.marking.supervise.limits import Limits
 from vrts.marking.supervise.outcome import Answer, Loss, Lost
 from vrts.marking.supervise.supervisor import CAN_FORK, Finished, Supervisor
+
+SEARCH = "the search for what would mend it "  # before why it was ended: the mark stands
 
 
 class Entry(NamedTuple):
@@ -92,14 +102,18 @@ def mark_class(
 
 
 def _done(marker: Marker, entry: Entry, finished: Finished[Order], layout: Layout | None) -> Done:
-    marks = _marks(marker, finished)
+    lost = finished.outcome if isinstance(finished.outcome, Lost) else None
+    made = None if lost is None else made_before(finished.folder)
+    marks = made or _marks(marker, finished)
     if layout is not None:
-        if isinstance(finished.outcome, Lost):
-            words = f"{finished.outcome.loss.value}\n{finished.outcome.detail}"
-            write_atomically(layout.grader(entry.identifier) / LOST, words.encode())
-        else:
+        place = layout.grader(entry.identifier) / LOST
+        if lost is None or made is not None:
             take_files(finished.folder, layout, entry.identifier)
-            (layout.grader(entry.identifier) / LOST).unlink(missing_ok=True)
+        if lost is None:
+            place.unlink(missing_ok=True)
+        else:
+            what = "" if made is None else SEARCH
+            write_atomically(place, f"{what}{lost.loss.value}\n{lost.detail}".encode())
         write_marks(marks, layout)
     return Done(entry, marks.staff, marks.student, False, finished.seconds, finished.peak)
 
@@ -159,6 +173,8 @@ def reusable(marker: Marker, entry: Entry, layout: Layout) -> Done | None:
             found.append(from_bytes((home / RESULT).read_bytes()))
         except (OSError, Damaged):
             return None
+    if (homes[0] / LOST).is_file():  # a mark may stand there, but something was not finished
+        return None
     staff, student = found
     data = entry.data
     same = (staff.key, student.key) == (marker.key(data), marker.public_key(data))

@@ -1,6 +1,7 @@
 """Marking of a class: a row for everything, nothing made twice, nothing lost."""
 
 import json
+import os
 import shutil
 import signal
 import subprocess
@@ -194,3 +195,32 @@ def test_what_would_mend_a_program_is_for_those_who_mark(tmp_path: Path) -> None
     assert asked.student == plain.student
     assert asked.result.mark == plain.result.mark
     assert asked.result.key != plain.result.key
+
+
+@pytest.mark.skipif(not CAN_FORK, reason="what starts anew knows nothing of the search here")
+def test_a_mark_stands_when_the_search_for_what_would_mend_is_ended(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Its pages, too; and the next marking looks again."""
+
+    def ended(*_: object) -> None:
+        os.kill(os.getpid(), signal.SIGKILL)
+
+    def nothing(*_: object) -> None:
+        return None
+
+    entry = Entry("ben", "ben.v2", BAD)
+    wanted = Wanted(mending=60)
+    monkeypatch.setattr("vrts.marking.submission.marker.would_do", ended)
+    found = mark(tmp_path, entry, wanted=wanted)
+    first = found.by_id["ben"].result
+    lost = found.layout.grader("ben") / "lost.txt"
+    assert first.kind is Kind.GRADED
+    assert (found.layout.student("ben") / "report.html").is_file()
+    assert lost.read_text().startswith("the search for what would mend it crashed\n")
+    monkeypatch.setattr("vrts.marking.submission.marker.would_do", nothing)
+    again = mark(tmp_path, entry, wanted=wanted).by_id["ben"]
+    assert not again.reused
+    assert again.result == first
+    assert not lost.exists()
+    assert mark(tmp_path, entry, wanted=wanted).by_id["ben"].reused

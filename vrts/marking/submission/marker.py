@@ -32,6 +32,7 @@ from vrts.pipeline.setting import Setting
 from vrts.report.audience import for_student
 
 STUDENT, STAFF = "student", "staff"  # folders of what a process writes
+MADE = "made.json"  # the results, written before what would mend a program is looked for
 WRITTEN = tuple(f"{who}/{name}" for who in (STUDENT, STAFF) for name in (REPORT, RECORDING, FAULT))
 
 IDLE = b".PROGRAM warm()\nSTOP\n.END\n"
@@ -133,6 +134,7 @@ class Marker:
         marks = self._finished(staff, student, order.data, folder, wanted)
         if not wanted.mending or staff.fault is not None:
             return marks
+        (folder / MADE).write_bytes(msgspec.json.encode(marks))  # they stand, whatever follows
         mending = would_do(order, self.public, wanted.mending)
         return Marks(structs.replace(marks.staff, mending=mending), marks.student)
 
@@ -216,6 +218,17 @@ def read_marks(data: bytes) -> Marks:
         return msgspec.json.decode(data, type=Marks)
     except msgspec.MsgspecError as problem:
         raise Damaged(str(problem)) from problem
+
+
+def made_before(folder: Path) -> Marks | None:
+    """Return the results that a process had made when it began to look for what would mend.
+
+    None: it had not come so far.
+    """
+    try:
+        return read_marks((folder / MADE).read_bytes())
+    except (OSError, Damaged):
+        return None
 
 
 def versions_of_scoring() -> tuple[str, str]:

@@ -73,11 +73,9 @@ def _as_elsewhere(
 
 def _changed_by_call(asked: Asked, call: CallStatement) -> Iterator[Name]:
     """Yield the numbers given to a program that it changes: its caller's variables."""
-    names = [program.name for program in asked.written.programs]
-    called = key(call.program.text)
-    if called not in names:
+    number = asked.callee(call)
+    if number is None:
         return
-    number = names.index(called)
     targets = [target_of(step) for step in asked.written.steps if step.program == number]
     changed = {key(target.text) for target in targets if isinstance(target, Name)}
     formals = asked.written.programs[number].formals

@@ -294,6 +294,12 @@ class Asked:
             if isinstance(step.statement, CallStatement)
         )
 
+    def callee(self, call: CallStatement) -> int | None:
+        """Return which program of the file a step calls, from 0; None: none of them."""
+        names = [program.name for program in self.written.programs]
+        called = key(call.program.text)
+        return names.index(called) if called in names else None
+
     @cached_property
     def taught(self) -> dict[str, tuple[float, ...]]:
         """The scene's own locations: X, Y, Z [mm], O, A, T [deg]."""

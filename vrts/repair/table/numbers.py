@@ -34,7 +34,7 @@ FROM_ONE = -0.3  # what speaks for a loop that begins at 1
 BY_ONE = -0.3  # and for a number that counts by 1
 PACED = 1.0  # what it costs that a speed is not to blame, where nothing is lost but time
 SLOWED = 0.5  # what speaks against a smaller speed where nothing is lost but time
-BACKWARD = -0.6  # what speaks for a distance with the other sign, given to a program that leaves
+BACKWARD = -0.6  # what speaks for the other sign of a distance that a program is given to leave by
 SHIFTED = 0.3  # what a teacher says against a shift along an axis along which there was none
 BEYOND = 1000.0  # [mm] no step goes farther: surely mistyped
 TOGETHER = 1.8  # what it speaks against a number that stands in many places that none is to blame
@@ -64,12 +64,13 @@ def other_numbers(asked: Asked) -> Iterator[Candidate]:
         for item, role in numbers_of(step.statement):
             value = value_of(item)
             word = word_of(step.statement)
+            backward = value < 0 and any(item is each for each in _away(asked, step.statement))
             alike.setdefault((word, role.value, value), []).append((step, item))
             for unusual, other in _others(asked, value, role, word, elsewhere):
                 odd, doubt = 0.0, 0.0
                 if role is Role.DISTANCE and abs(value) > BEYOND:
                     odd = -0.5
-                if value < 0 and other == -value and isinstance(step.statement, CallStatement):
+                if backward and other == -value:
                     odd = BACKWARD
                 if value == 0 and role is Role.DISTANCE and word == "SetLocation":
                     doubt = SHIFTED
@@ -109,6 +110,28 @@ def other_numbers(asked: Asked) -> Iterator[Candidate]:
                 doubt = FAR_AWAY if word in AWAY and other > max(250.0, 2.0 * usual) else 0.0
                 together = _together(asked, places, other, unusual + odd + doubt)
                 yield together._replace(doubt=doubt)
+
+
+def _away(asked: Asked, statement: Statement) -> Iterator[Item]:
+    """Yield the arguments of a CALL that are the distance of an APPRO or DEPART there."""
+    if not isinstance(statement, CallStatement):
+        return
+    number = asked.callee(statement)
+    if number is None:
+        return
+    distances = {
+        key(step.statement.operands[-1].text)
+        for step in asked.written.steps
+        if step.program == number
+        and isinstance(step.statement, Simple)
+        and step.statement.word in AWAY
+        and step.statement.operands
+        and isinstance(step.statement.operands[-1], Name)
+    }
+    formals = asked.written.programs[number].formals
+    for formal, argument in zip(formals, statement.arguments, strict=False):
+        if formal and argument is not None and key(formal.name.text) in distances:
+            yield argument
 
 
 def _counting(asked: Asked, step: WrittenStep) -> Iterator[Candidate]:
