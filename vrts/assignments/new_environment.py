@@ -20,8 +20,8 @@ HEAD = """\
 #   vrts prove {name} --environment environment.toml
 #
 # Everything that is not said here is free: an input may be on or off in every tick in which the
-# program looks at it. Say only what your cell really keeps to; every word makes the proof weaker.
-# Take away the `#` where it does. Times are in seconds.
+# program looks at it. Say only what is always true in your cell; every word makes the proof weaker.
+# Remove the `#` of what is true. Times are in seconds.
 
 title = "The cell of {name}"
 """
@@ -32,12 +32,12 @@ signal = {signal}
 is = "free"
 # is = "held"                     # it never changes
 # state = "off"                   # or "on", or "either": it is not known which
-# is = "pulsed"                   # off at first, then on and off; how long each stay lasts:
+# is = "pulsed"                   # off at first, then on and off; how long each of them lasts:
 # on_s = [0.1, 0.5]
 # off_s = [1.0]                   # one number: at least so long
 {answers}"""
 ANSWERS = """\
-# is = "answers"                  # it follows an output of the controller, so much later:
+# is = "answers"                  # it follows an output of the controller, after this time:
 # output = {output}
 # on_s = [0.2, 3.0]
 # off_s = [0.2, 3.0]
@@ -47,13 +47,13 @@ ANALOG = """
 [[analog]]
 channel = {channel}
 range = [{least}, {most}]           # counts that it may read, in any tick
-# counts = [0, 350]               # in place of the range: these only
+# counts = [0, 350]               # instead of the range: only these
 """
 PROMPTS = """
 # The program asks at {where}. Every answer is tried, every time.
 [prompts]
 answers = ["0", "1", "2"]
-# range = [0, 5]                  # in place of answers: numbers, tried at some values
+# range = [0, 5]                  # instead of answers: numbers, tried at some values
 # whole = true                    # whole numbers only: all of them are tried
 """
 RANDOM = """
@@ -67,7 +67,7 @@ misses = false                    # true: each closing of the hand may grip or m
 """
 PROGRAMS = """
 [programs]
-first = "either"                  # in each tick again; or always the "robot program"
+first = "either"                  # may change in each tick; or always the "robot program"
 """
 TAIL = """
 [operator]
@@ -76,8 +76,8 @@ speeds = [100]                    # monitor speeds [%], one for a whole future
 
 [execute]
 again = false                     # true: EXECUTE again, with the memory that the last one left
-# times = 5                       # at most so often; left out: until the state repeats
-# parts = "put back"              # what becomes of them before: or "left", "taken"
+# times = 5                       # at most so often; without it until the state repeats
+# parts = "put back"              # what happens to them before that: or "left", "taken"
 
 # What must never be, or always. See `vrts explain V562`.
 # [[never]]

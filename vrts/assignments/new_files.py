@@ -64,9 +64,10 @@ scene = "scene.toml"
 
 # An object counts in full when it stands upright within position_mm and orientation_deg of its
 # goal, and not at all from three times that. It must be at rest, and the hand must have let go.
-# Turns that nobody can see, as half a turn of a brick, count as none: `symmetry = "none"` changes
-# that. Where `object` and `on` are lists, as ["can1", "can2"], every object wants a place of its
-# own. What is lifted, but not in place, keeps a share of its points with `lifted = 0.2`.
+# Turns that nobody can see, such as half a turn of a brick, do not count: `symmetry = "none"`
+# changes that. Where `object` and `on` are lists, such as ["can1", "can2"], every object needs a
+# place of its own. With `lifted = 0.2` an object that is lifted, but not in place, keeps that share
+# of its points.
 """
 
 GOAL = """
@@ -84,8 +85,9 @@ TASK_TAIL = """
 [time]
 reference_s = {reference}
 
-# What programs may set: parameters, switches, and how fast they may accelerate. Without this, every
-# switch, and every parameter but those of the robot as it is installed (SPEED.MAX and the like):
+# What programs may set: parameters, switches, and how fast they may accelerate. Without this
+# section: every switch, and every parameter except those of the installed robot (SPEED.MAX and the
+# like).
 #
 # [settings]
 # parameters = ["HAND.TIME"]
@@ -93,16 +95,16 @@ reference_s = {reference}
 # acceleration_percent = 100
 
 # The mark: round(max(0, targets + vias - contacts - broken limits - demands) + time bonus). These
-# are the usual numbers. With `total = 20` it is out of 20, and what is not given here is in
-# proportion. With `contacts_by = "time"` contacts cost by their length instead of their number,
-# `per_second` points each second; with `contacts_by = "depth"`, `per_mm` points each millimetre.
+# are the usual numbers. With `total = 20` it is out of 20, and the numbers that you leave out are
+# twice as large. With `contacts_by = "time"` contacts cost by how long they last, not by how many
+# there are: `per_second` points each second. With `contacts_by = "depth"`: `per_mm` points each mm.
 
 [mark]
-targets = 6.0                # goals; without via points those of the vias are added
+targets = 6.0                # goals; without via points, their points are added here
 vias = 2.5                   # via points
 first_contact = 1.5          # lost by the first contact
 further_contact = 1.0        # lost by each further contact, and by each object that is dropped
-contact_cap = 5.0            # no more is lost by contacts and drops
+contact_cap = 5.0            # the most that is lost by contacts and drops
 time_bonus = 1.5             # only for a program without any fault
 broken_limit = 1.5           # lost once, by breaking a limit of the robot or moving one
 """
@@ -133,7 +135,7 @@ Begin with `start.v2`. Save your program as `mine.v2` and mark it with
 
     vrts grade {name}-student.zip mine.v2
 
-You get the time bonus when you need no longer than {par} s and touch nothing.
+You get the time bonus if your program takes no longer than {par} s and touches nothing.
 """
 
 

@@ -7,14 +7,14 @@ LAB = """\
 #   vrts verify prog.v2 --lab lab.toml                marks there do not count, unless ...
 #   lab = "lab.toml"                                  ... `[task]` of the task says so
 #
-# What stands here counts in place of what the scene says; what does not stand here stays as it is.
-# Take away the `#` where your own laboratory differs. Lengths are in mm, angles in degrees.
+# What you write here replaces what the scene says; everything else stays as it is. Remove the `#`
+# where your own laboratory differs. Lengths are in mm, angles in degrees.
 
 [lab]
 title = "Our laboratory"
 
 [lab.robot]
-# name = "puma761"               # or puma560, ur5, ..: then nothing is left of the scene's robot
+# name = "puma761"               # or puma560, ur5, ..: it replaces the scene's robot completely
 #
 # Limits of the six joints, and of straight lines at SPEED 100. These are the PUMA 761's:
 # lower_deg = [-160, -200, -45, -266, -100, -300]
@@ -27,17 +27,17 @@ title = "Our laboratory"
 # `vrts validate --fit` finds these and the speeds out from logs of the real robot:
 # acceleration_s = 0.224
 #
-# The TOOL when a program starts, X Y Z O A T; left out, it is the middle between the pads:
+# The TOOL when a program starts, X Y Z O A T; without it, the middle between the pads:
 # tool_xyzoat = [0, 0, 150, 90, -90, 0]
 #
 # Where the robot stands in the coordinates of the scene. Everything in the scene's file then moves
-# the other way, for programs, tasks and scenarios count from the robot's shoulder:
+# the other way, because programs, tasks and scenarios count from the robot's shoulder:
 # at_mm = [0, 0]
 # turn_deg = 0
 
-# How the arm stands where that is not what its controller counts with: `vrts validate --identify`
-# finds it out. Under `within` stands how far each number may be from the truth. All keys are in the
-# manual, in "What is wrong with a robot":
+# How the arm really stands, if its controller counts with other numbers: `vrts validate --identify`
+# finds it out. `within` says how far each number may be from the truth. All keys are in the manual,
+# in "What is wrong with a robot":
 #   [lab.robot.built]
 #   stands_off_deg = [0, 0, 0.5, 0, 0, 0]
 #   [lab.robot.built.within]

@@ -10,15 +10,15 @@ HEAD = """\
 #
 #   vrts run {name} --scenario {file}
 #
-# Whatever is not said is as in a run without a scenario: inputs are off, nothing goes wrong. Write
-# the times of your cell; take away the `#` of what is to happen. Lengths are in mm, angles in
+# What you leave out is as in a run without a scenario: inputs are off, nothing goes wrong. Write
+# the times of your cell, and remove the `#` of what should happen. Lengths are in mm, angles in
 # degrees, times in seconds of the run. `vrts schema scenario` describes every key.
 
 title = "A run of {name}"
 seed = 0                          # of RANDOM: another number gives other draws
 monitor_speed = 100               # the operator's speed [%]
 
-# How the run begins; left out: READY, and the hand closed.
+# How the run begins; without it: READY, and the hand closed.
 # [start]
 # joints_deg = [0, -90, 90, 0, 0, 0]
 # hand = "open"                   # or hand_mm = 80
@@ -72,7 +72,7 @@ TAIL = """
 # time_s = 5.0
 # kind = "emergency stop"
 
-# Something that is done at the controller: "stop", "proceed", "retry" or "execute".
+# What the operator does at the controller: "stop", "proceed", "retry" or "execute".
 # [[operator]]
 # time_s = 6.0
 # does = "stop"

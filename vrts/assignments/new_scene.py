@@ -39,7 +39,7 @@ on = "table"
 radius_mm = 30
 height_mm = 115
 
-# Take away the `#` for a box, a dish, and a tilted stand to set the dish on:
+# Remove the `#` for a box, a dish, and a tilted stand to set the dish on:
 #
 # [objects.box1]
 # kind = "box"                 # fixed, unless you write fixed = false
@@ -63,7 +63,7 @@ height_mm = 115
 # slope_deg = 20
 
 # vrts works out a location for every can (can1_grip), every base (base1_put), and a safe place
-# above everything. Others may be given here, X Y Z in mm and O A T in degrees:
+# above everything. You may give others here, X Y Z in mm and O A T in degrees:
 #
 # [locations]
 # shelf = [900, 0, 130, 90, 90, 0]

@@ -7,10 +7,10 @@ from vrts.base.pose import Vector
 from vrts.base.units import mm
 
 SECTIONS = """
-# What else a task may ask for. Take away the `#`, and change the numbers.
+# What else a task may ask for. Remove the `#`, and change the numbers.
 #
-# A point that the tool must pass within radius_mm. The last three lines may be left out: where the
-# tool is to point there, how far from that, and how fast it may be there (from, to):
+# A point that the tool must pass within radius_mm. You may leave out the last three lines: where
+# the tool has to point there, how far it may be off, and how fast it may be there (from, to):
 #
 # [[via]]
 # name = "over the middle"
@@ -59,23 +59,23 @@ SECTIONS = """
 # must_use = "MOVES"
 # points = 0.5
 #
-# That nothing goes wrong whatever comes from outside, and whenever. `environment` names a file that
-# says what may come (`vrts new environment` writes it); without one everything is free. What is
-# hidden counts at marking only: then the file belongs into `staff`:
+# That nothing goes wrong, whatever comes from outside, and whenever. `environment` names a file
+# that says what may come (`vrts new environment` writes it); without one everything is free. What
+# is hidden counts at marking only: then put the file into `staff`:
 #
 # [prove]
 # hidden = false
 # states = 20000
 # points = 3
 #
-# Nearer than this is told as a near miss, which costs nothing (5 mm unless you say otherwise):
+# Nearer than this is reported as a near miss, which costs nothing (5 mm unless you say otherwise):
 #
 # [collision]
 # near_miss_mm = 5
 #
-# When hand-ins are due, and the points that being late costs, by the platform's times: for each day
-# begun, at most so many, none within grace_min; what comes after `closed` gets 0. Other prices than
-# by the day are [[late.step]] with after_h and points:
+# When hand-ins are due, and how many points being late costs, by the platform's times: `per_day`
+# for each day begun, at most `most`, and none within grace_min. What comes after `closed` gets 0.
+# For prices that are not by the day, use [[late.step]] with after_h and points:
 #
 # [late]
 # due = 2030-11-30T23:59:00+01:00
@@ -84,7 +84,7 @@ SECTIONS = """
 # most = 5
 # closed = 2030-12-07T23:59:00+01:00
 #
-# Of several hand-ins of a student the latest counts, or the one with the best mark:
+# Which of several hand-ins of a student counts: the latest, or the one with the best mark:
 #
 # [submissions]
 # keep = "latest"

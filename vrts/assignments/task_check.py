@@ -137,7 +137,7 @@ def worths(task: Task) -> tuple[Worth, ...]:
         Worth(scheme.broken_limit, "a limit of the robot that is broken or moved"),
         *_contacts(scheme),
         Worth(scheme.contact_cap, "contacts and drops, at most"),
-        Worth(scheme.time_bonus, "any of these, as no points are given for speed then"),
+        Worth(scheme.time_bonus, "any of these: there are no points for speed then"),
     )
 
 

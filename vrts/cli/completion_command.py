@@ -19,7 +19,7 @@ Examples:
 @click.pass_context
 @guarded
 def command(ctx: click.Context, shell: str) -> None:
-    """Print what lets a SHELL complete files, scenes, codes, words and students at Tab.
+    """Print what a SHELL needs to complete files, scenes, codes, words and students at Tab.
 
     Bash has to be 4.4 or newer.
     """

@@ -21,15 +21,15 @@ Examples:
 
 @click.command(name="learn", epilog=EPILOG)
 @click.argument("what", required=False, metavar="[LESSON|next]")
-@file_option("-o", "--output", help="Folder to copy the lesson to; otherwise a new one here.")
+@file_option("-o", "--output", help="Folder to copy the lesson to; without it a new one here.")
 @color_option
 @guarded
 def command(what: str | None, output: Path | None, color: str) -> None:
-    """List the lessons, copy one, or tell what to do next.
+    """List the lessons, copy one, or say what to do next.
 
-    LESSON is a number or a name: its folder is copied, and nothing is overwritten. `next`, typed in
-    the folder of a lesson, compiles and runs what is there, and names the first step that is not
-    done. Exit status 1 while a step is open.
+    LESSON is a number or a name: its folder is copied, and nothing is overwritten. Type `vrts learn
+    next` in the folder of a lesson. It compiles and runs what is there, and names the first step
+    that is not done. Exit status 1 while a step is open.
     """
     if what == NEXT:
         if output is not None:

@@ -18,16 +18,16 @@ from vrts.cli.shared.console import guarded, out
 SECTIONS = {  # heading: name: where it is, what it does
     "Write programs": {
         "compile": ("language.compile_command", "check a program for mistakes, without running it"),
-        "fix": ("language.fix_command", "mend what is certain in a program"),
-        "fmt": ("language.fmt_command", "write a program in the canonical layout"),
-        "point": ("authoring.point_command", "ask what the arm can reach"),
+        "fix": ("language.fix_command", "correct mistakes in a program that have a sure remedy"),
+        "fmt": ("language.fmt_command", "write a program in the standard layout"),
+        "point": ("authoring.point_command", "ask whether the arm can reach a place"),
         "scene": ("authoring.scene_command", "list, show, check and watch scenes"),
         "new": (
             "authoring.new_command",
-            "write a scene, task, program, environment or scenario to begin with",
+            "begin a scene, task, program, lab, environment or scenario",
         ),
         "editor": ("editors.editor_command", "set up VS Code, Neovim or Emacs for VAL-II"),
-        "lsp": ("editors.lsp_command", "help an editor while programs are written"),
+        "lsp": ("editors.lsp_command", "help an editor while you write programs"),
         "dap": ("editors.dap_command", "debug programs from an editor, forward and backward"),
     },
     "Run and verify them": {
@@ -38,7 +38,7 @@ SECTIONS = {  # heading: name: where it is, what it does
         ),
         "why": (
             "runs.why_command",
-            "tell why points are lost: causes backward to the step to blame",
+            "say why points are lost, back to the step that is the cause",
         ),
         "view": ("runs.view_command", "see a program move"),
         "debug": ("runs.debug_command", "debug a program at the terminal, forward and backward"),
@@ -49,7 +49,7 @@ SECTIONS = {  # heading: name: where it is, what it does
         ),
         "check-proof": (
             "runs.check_proof_command",
-            "check a certificate that `verify` wrote, trusting neither",
+            "check a certificate of `verify`, without trusting either",
         ),
     },
     "Mark a class": {
@@ -58,7 +58,7 @@ SECTIONS = {  # heading: name: where it is, what it does
             "authoring.task_command",
             "check an assignment, and pack it for students and staff",
         ),
-        "purge": ("purge_command", "delete what old markings hold about persons"),
+        "purge": ("purge_command", "delete what old markings hold about people"),
     },
     "Share a robot in the browser": {
         "serve": ("live.serve_command", "share sessions in the browser: a class and one robot"),
@@ -75,11 +75,14 @@ SECTIONS = {  # heading: name: where it is, what it does
     "Look things up": {
         "learn": ("learn_command", "learn in steps of a few minutes: list, copy, check lessons"),
         "help": ("help_command", "show the help of a command: `vrts help grade export`"),
-        "manual": ("language.manual_command", "open the manual in the browser"),
+        "manual": (
+            "language.manual_command",
+            "find a page of the manual, or open it in the browser",
+        ),
         "explain": ("language.explain_command", "explain diagnostic codes"),
         "support": ("language.support_command", "show the words of the language"),
         "completion": ("completion_command", "let Bash, Zsh or Fish complete what you type"),
-        "schema": ("schema_command", "print the JSON Schema of result files"),
+        "schema": ("schema_command", "print the JSON Schema of files you write, and of results"),
     },
 }
 

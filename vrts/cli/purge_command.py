@@ -47,12 +47,12 @@ class Age(click.ParamType[timedelta]):
     type=Age(),
     required=True,
     metavar="AGE",
-    help="Since the marking: 180d, 26w, 1y; 0d for all.",
+    help="Time since the marking, such as 180d, 26w or 1y; 0d for all.",
 )
 @click.option(
     "--keep-statistics",
     is_flag=True,
-    help="Keep marks without students, sorted, and how often each check was met.",
+    help="Keep the marks, sorted and without names, and how often each check was met.",
 )
 @click.option("-y", "--yes", is_flag=True, help="Do not ask.")
 @color_option
@@ -60,15 +60,17 @@ class Age(click.ParamType[timedelta]):
 def command(
     folders: tuple[Path, ...], older_than: timedelta, keep_statistics: bool, yes: bool, color: str
 ) -> None:
-    """Delete what markings wrote about persons into the folders OUT.
+    """Delete what markings wrote about people into the folders OUT.
 
-    Deleted are results, reports, recordings, tables of hand-ins and of names, marks, changes by
-    hand, exports in staff/exports, similarity and overview: in students and staff, by the names
-    that vrts gives them. Anything else stays, and is named. So do downloads, evidence, and what was
-    exported elsewhere. The age is that of the marking, as staff/marking.json tells it, and not that
-    of files; younger markings stay. One that was interrupted is as old as its begin. Folders in
-    which no marking was written are refused, and no link is followed. In a small class sorted marks
-    may tell who had which.
+    It deletes results, reports, recordings, tables of hand-ins and of names, marks, changes by
+    hand, exports in staff/exports, similarity and overview. It looks in students and staff, for the
+    names that vrts gives these files. Any other file stays, and is named. Downloads, evidence, and
+    what was exported to other places stay, too.
+
+    The age is the time since the marking, as staff/marking.json says; the dates of files do not
+    matter. Younger markings stay. A marking that was interrupted counts from its start. Folders
+    without a marking are refused, and links are not followed. In a small class, sorted marks may
+    show who had which.
     """
     from vrts.marking.privacy.purge import State, look, purge
 

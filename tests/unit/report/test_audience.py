@@ -94,5 +94,5 @@ def test_near_misses_and_grazes_stand_in_a_table() -> None:
     shown = Reader(text).text
     assert "near missleft finger passes base2 at 1.4 mm2" in shown
     assert "graze, costs nothingcan1 touches base1, 0.1 mm deep2" in shown
-    assert "A near miss is nearer than 5 mm: a value assumed; the task names none." in shown
+    assert "A near miss is nearer than 5 mm: assumed, since the task names none." in shown
     assert '"distanceMm":1.4' in text

@@ -99,15 +99,16 @@ def _module(given: "Given", language: Language, color: str) -> "Module":
 @command.command(name="environment", epilog=EPILOG)
 @click.argument("program")
 @file_option(
-    "-o", "--output", "target", help="Where to; otherwise environment.toml beside PROGRAM."
+    "-o", "--output", "target", help="File to write; without it environment.toml beside PROGRAM."
 )
 @color_option
 @language_options
 @guarded
 def environment(program: str, target: Path | None, color: str, language: Language) -> None:
-    """Write what may come from outside into PROGRAM, for `vrts prove` and for you to change.
+    """Write a file that says what may come from outside into PROGRAM, for `vrts prove`.
 
-    It names every input that the program reads, and leaves all of them free.
+    It names every input that the program reads, and leaves all of them free. Change it to fit your
+    cell.
     """
     from vrts.assignments.new_environment import new_environment
     from vrts.cli.shared.programs import given_program
@@ -123,16 +124,16 @@ def environment(program: str, target: Path | None, color: str, language: Languag
 @command.command(name="scenario", epilog=EPILOG)
 @click.argument("program")
 @file_option(
-    "-o", "--output", "target", help="Where to; otherwise NAME-scenario.toml beside PROGRAM."
+    "-o", "--output", "target", help="File to write; without it NAME-scenario.toml beside PROGRAM."
 )
 @color_option
 @language_options
 @guarded
 def scenario(program: str, target: Path | None, color: str, language: Language) -> None:
-    """Write what happens in a run of PROGRAM, for `--scenario` and for you to change.
+    """Write a file that says what happens in a run of PROGRAM, for `--scenario`.
 
     It names every input and every question of the program, each with an example, and what may go
-    wrong.
+    wrong. Change it as you like.
     """
     from vrts.assignments.new_scenario import new_scenario
     from vrts.cli.shared.programs import given_program
@@ -150,14 +151,14 @@ def scenario(program: str, target: Path | None, color: str, language: Language) 
 @command.command(name="task", epilog=EPILOG)
 @click.argument("name", type=click.Path(path_type=Path))
 @from_option
-@click.option("--title", help="Of the task; otherwise its name.")
+@click.option("--title", help="Title of the task; without it its name.")
 @color_option
 @guarded
 def task(name: Path, origin: str | None, title: str | None, color: str) -> None:
     """Write the folder NAME with a task, its scene and its reference solution.
 
-    A scene.toml that is there already is taken as the scene. `--from` an example takes its task,
-    too; from a scene, and without it, the task is to carry every can to a base.
+    If NAME holds a scene.toml already, that is the scene. With `--from` an example, you also get
+    its task. With `--from` a scene, or without `--from`, the task is to carry every can to a base.
     """
     from vrts.assignments.new_files import new_program, new_readme, new_staff_task
     from vrts.assignments.task_copy import copied_reference, copied_task, example_folder

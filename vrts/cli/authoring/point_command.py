@@ -51,9 +51,9 @@ def command(
     lab: Path | None,
     color: str,
 ) -> None:
-    """Tell whether the tool reaches X Y Z (mm) [O A T (degrees)] in SCENE, and how.
+    """Say whether the tool reaches X Y Z (mm) [O A T (degrees)] in SCENE, and how.
 
-    What no program can MOVE to is not saved.
+    A place that no program can MOVE to is not saved.
     """
     from vrts.assignments.point_tried import how_to_get_there
     from vrts.base.oat import pose_from_components

@@ -61,7 +61,7 @@ def list_scenes() -> None:
 def show(name: str, svg: Path | None, lab: Path | None, color: str) -> None:
     """Print every object of scene NAME, and its locations ready to paste into a program.
 
-    Where NAME is the folder of a task, they are such that its goals are reached: each was tried by
+    If NAME is the folder of a task, its goals are reached with these locations: each was tried by
     running a program that carries the object with it.
     """
     scene, text = _shown(_setting(name, lab, staff=False))
@@ -79,12 +79,12 @@ def show(name: str, svg: Path | None, lab: Path | None, color: str) -> None:
 @color_option
 @guarded
 def check(name: str, lab: Path | None, color: str) -> None:
-    """Look for what cannot be meant in scene NAME, or in the folder of a task.
+    """Look for mistakes in scene NAME, or in the folder of a task.
 
-    Finds overlaps, floating objects, objects too wide for the hand, objects and locations out of
-    reach on every arm branch, locations inside bodies; and in a task goals out of reach, in the air
-    or inside bodies, and via points out of reach. Exit status 1 when something is wrong; warnings
-    are no errors.
+    It finds overlaps, floating objects, objects too wide for the hand, objects and locations out of
+    reach on every arm branch, and locations inside bodies. In a task it also finds goals out of
+    reach, in the air or inside bodies, and via points out of reach. Exit status 1 when there is an
+    error; warnings do not count.
     """
     from vrts.check.task.feasible import task_findings
     from vrts.report.plain import one_line
@@ -139,14 +139,14 @@ def _in_its_task(setting: "Setting", place: Path, lab: Path | None) -> "Setting"
 @command.command(name="watch", epilog=EPILOG)
 @click.argument("name")
 @file_option("--svg", help="Write a drawing on every change.")
-@click.option("--seconds", type=float, help="End after so many seconds; otherwise never.")
+@click.option("--seconds", type=float, help="End after so many seconds; without it never.")
 @lab_option
 @color_option
 @guarded
 def watch_scene(
     name: str, svg: Path | None, seconds: float | None, lab: Path | None, color: str
 ) -> None:
-    """Show scene NAME, and again whenever its file or the lab is saved. Control-C ends it."""
+    """Show scene NAME, and again whenever you save its file or the lab. Ctrl-C ends it."""
     from vrts.cli.shared.watching import watch
     from vrts.pipeline.files import TASK_FILE, asked_scene
 

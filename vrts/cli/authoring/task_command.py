@@ -32,17 +32,17 @@ def command() -> None:
 @folder_argument
 @file_option(
     "--reference",
-    help="The reference solution; otherwise staff/solution.v2 or solution.v2 in FOLDER.",
+    help="The reference solution; without it staff/solution.v2 or solution.v2 in FOLDER.",
 )
 @lab_option
 @color_option
 @guarded
 def check(folder: Path, reference: Path | None, lab: Path | None, color: str) -> None:
-    """Tell whether the task in FOLDER, with its hidden part, is ready to be handed out.
+    """Say whether the task in FOLDER, with its hidden part, is ready to be handed out.
 
-    The reference must get full marks, a program that does nothing 0, and every goal must be within
-    reach. Proposes times, and lists what everything is worth. With a lab, tells whether the task
-    would work there. Exit status 1 when something is wrong.
+    The reference must get the full mark, a program that does nothing must get 0, and every goal
+    must be within reach. It proposes times, and lists what everything is worth. With a lab, it says
+    whether the task would work there. Exit status 1 when something is wrong.
     """
     from vrts.assignments.task_check import check_task
     from vrts.assignments.task_folder import reference_of
@@ -62,7 +62,7 @@ def check(folder: Path, reference: Path | None, lab: Path | None, color: str) ->
     "versions",
     multiple=True,
     metavar="VERSION",
-    help="A version of vrts that may mark; otherwise this one.",
+    help="A version of vrts that may mark; without it this one.",
 )
 @color_option
 @guarded

@@ -23,10 +23,10 @@ Examples:
 def command(results: Path, form: str, color: str) -> None:
     """List the programs of a marking that are ready for the real robot.
 
-    RESULTS is the folder that `vrts grade` wrote with -o, or its staff/results.json. Those with the
-    largest clearance come first; of clearances that agree to 1 mm, the higher mark. Where the
-    class was marked with pseudonyms, nobody is named. What is chosen has to be planned with `vrts
-    dispatch plan` before it is sent. Exit status 1 when no program is ready.
+    RESULTS is the folder that `vrts grade` wrote with -o, or its staff/results.json. The largest
+    clearance comes first; where clearances agree to 1 mm, the higher mark. If the class was marked
+    with pseudonyms, nobody is named. Before you send a program, plan it with `vrts dispatch plan`.
+    Exit status 1 when no program is ready.
     """
     from vrts.dispatch.planning.choose import choices, choices_text
     from vrts.marking.appeals.written import read_class

@@ -28,8 +28,8 @@ def command(
     """Compare what a controller holds with a BUNDLE.
 
     Programs are compared step by step, locations and values as the controller prints them. Nothing
-    is changed on the controller. The transcript lies beside the bundle unless --transcript says
-    where. Exit status 1 when something differs.
+    is changed on the controller. The transcript goes beside the bundle unless --transcript names
+    another place. Exit status 1 when something differs.
     """
     from vrts.dispatch.bundle import read_bundle
     from vrts.dispatch.profile import find_profile

@@ -12,10 +12,10 @@ SUBCOMMANDS = {
     "send": "send a bundle to a controller and read everything back",
     "fetch": "fetch programs and locations from a controller",
     "diff": "compare what a controller holds with a bundle",
-    "profile": "list the profiles of controllers, print one to be corrected",
+    "profile": "list the profiles of controllers, or print one to correct",
     "emulate": "emulate a controller at a pseudo-terminal",
     "export": "write a verified program in the language of another controller",
-    "rehearse": "carry an exported folder out on LinuxCNC, and compare the motion",
+    "rehearse": "run an exported folder on LinuxCNC, and compare the motion",
 }
 SECTIONS = {"Commands": SUBCOMMANDS}
 

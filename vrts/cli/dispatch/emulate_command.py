@@ -20,14 +20,16 @@ Examples:
 @click.argument("files", metavar="[FILE]...", nargs=-1)
 @scene_option()
 @click.option("--profile", default="mark2-val2", show_default=True, help="A profile, or its file.")
-@click.option("--baud", type=click.IntRange(50), help="Speed of the line; else the profile's.")
+@click.option(
+    "--baud", type=click.IntRange(50), help="Speed of the line; without it the profile's."
+)
 @guarded
 def command(files: tuple[str, ...], scene: str | None, profile: str, baud: int | None) -> None:
     """Emulate a controller at a pseudo-terminal, to practise sending; FILEs are loaded first.
 
-    Prints the name of the port, which `vrts dispatch send`, `fetch` and `diff` take, as any
-    terminal program does. The monitor is that of `vrts monitor`: its files are those of the working
-    folder, its memory is as large as the profile says. Ctrl-C ends it.
+    It prints the name of the port, for `vrts dispatch send`, `fetch` and `diff`, or any terminal
+    program. The monitor is that of `vrts monitor`: its files are those of the working folder, and
+    its memory is as large as the profile says. Ctrl-C ends it.
     """
     if sys.platform == "win32":
         fail("this needs a pseudo-terminal, which Windows has not")

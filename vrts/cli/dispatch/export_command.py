@@ -60,9 +60,9 @@ VAL2, LINUXCNC, ROS, URSCRIPT = "val2", "linuxcnc", "ros", "urscript"
 @scene_option("Name or path of a scene to verify in.")
 @task_option()
 @scenario_option()
-@entry_option("Program to execute; otherwise the task's, or the first.")
+@entry_option("Program to execute; without it the task's, or the first.")
 @click.option(
-    "-o", "--output", "place", help="File to write, or folder for LinuxCNC and ROS; `-` is stdout."
+    "-o", "--output", "place", help="File to write; for the last three a folder. `-` is stdout."
 )
 @click.option(
     "--arm",
@@ -81,19 +81,19 @@ def command(
     language: Language,
     color: str,
 ) -> None:
-    """Write PROGRAM, once verified, in the language of another controller.
+    """Verify PROGRAM, and write it in the language of another controller.
 
-    Words, angles and operators become those of the other language; comments and names stay. What
-    is written is read again in that language and executed in the same scene: nothing is written
-    unless it moves the arm the same within 0.01 mm at every time. TOOL and BASE are set where the
-    program begins, and a sheet beside it says where HERE must show what. Another arm counts its
-    joints otherwise: joint values and READY are refused unless `--arm` says how.
+    Words, angles and operators become those of the other language; comments and names stay. The
+    new text is read in that language and executed in the same scene. It is written only if it moves
+    the arm the same within 0.01 mm at every time. TOOL and BASE are set where the program begins,
+    and a sheet beside it says where HERE must show what. Another arm may count its joints in
+    another way: joint values and READY are refused unless `--arm` says how.
 
-    For LinuxCNC a folder is written, with the robot's configuration; `io.toml` in it says which
-    pin is which signal, and is kept when it is there. `vrts dispatch rehearse` then compares
-    LinuxCNC's motion. For ROS a folder is written, too: the run as a bag, and a goal of a joint
-    trajectory controller for each way from rest to rest. For an arm of Universal Robots a folder
-    is written with the program in URScript, `io.toml` as above, and a sheet.
+    For LinuxCNC it writes a folder with the robot's configuration. `io.toml` in it says which pin
+    is which signal; one that is there already stays. `vrts dispatch rehearse` then compares
+    LinuxCNC's motion. For ROS it writes a folder with the run as a bag, and a goal of a joint
+    trajectory controller for each way from rest to rest. For an arm of Universal Robots it writes a
+    folder with the program in URScript, `io.toml` as above, and a sheet.
     """
     from vrts.cli.shared.requests import verify_request
     from vrts.dispatch.posts.export import default_name, default_sheet, exported

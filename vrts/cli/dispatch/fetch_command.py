@@ -26,7 +26,7 @@ Examples:
 @click.argument("names", metavar="[PROGRAM]...", nargs=-1)
 @port_option
 @click.option("--profile", required=True, help="Name of a profile, or a file NAME.toml.")
-@file_option("-o", "--output", help="File to write; else stdout.")
+@file_option("-o", "--output", help="File to write; without it stdout.")
 @transcript_option
 @color_option
 @guarded
@@ -40,9 +40,10 @@ def command(
 ) -> None:
     """Fetch programs and locations from a controller into a file that vrts reads.
 
-    Without PROGRAM all programs; all locations in any case, with the decimals that the controller
-    prints. Everything is listed twice and has to be alike. Nothing is changed on the controller.
-    The transcript lies beside the output unless --transcript says where.
+    Without PROGRAM it fetches all programs. It always fetches all locations, with the decimals that
+    the controller prints. Everything is listed twice, and both lists have to agree. Nothing is
+    changed on the controller. The transcript goes beside the output unless --transcript names
+    another place.
     """
     from vrts.dispatch.profile import find_profile
     from vrts.dispatch.transfer.held.fetch import fetch, fetched_text

@@ -50,7 +50,7 @@ Examples:
     "--scenario",
     "scenarios",
     multiple=True,
-    help="What happens in a run; several add up. Without it the one beside the task, or none.",
+    help="A scenario file; you may give several. Without it the one beside the task, or none.",
 )
 @click.option(
     "--profile",
@@ -59,7 +59,7 @@ Examples:
     metavar="NAME",
     help="The controller: mark2-val2, mark3-val2, vplus-serial, kawasaki-as, or a file NAME.toml.",
 )
-@file_option("-o", "--output", "target", required=True, help="The bundle.")
+@file_option("-o", "--output", "target", required=True, help="The bundle to write.")
 @file_option("--sheet", help="Write the operator's sheet, too.")
 @click.option(
     "--clearance",
@@ -73,7 +73,7 @@ Examples:
 @file_option(
     "--environment",
     "environment_file",
-    help="What may come from outside; without it as the task says, else every input is free.",
+    help="What may come from outside; without it as the task says, or any input at any time.",
 )
 @click.option("--entry", help="Program to execute; without it the task's, else the main one.")
 @click.option(
@@ -81,16 +81,16 @@ Examples:
     "findings",
     multiple=True,
     metavar="FINDING",
-    help="Answer for a refusal, as it names itself: V812-3f2a9c.",
+    help="Waive a refusal: go on in spite of it. Give its name, such as V812-3f2a9c.",
 )
-@click.option("--reason", "reasons", multiple=True, metavar="TEXT", help="Why; one for each.")
-@click.option("--who", "people", multiple=True, metavar="NAME", help="Who answers for it.")
+@click.option("--reason", "reasons", multiple=True, metavar="TEXT", help="Why; one reason each.")
+@click.option("--who", "people", multiple=True, metavar="NAME", help="Who waives it.")
 @click.option(
-    "--fails-first", is_flag=True, help="Look which margin fails first: takes longer than the rest."
+    "--fails-first", is_flag=True, help="Find the margin that fails first; this takes longest."
 )
-@jobs_option("Worlds at a time; one a core.")
+@jobs_option("Processes at a time; without it one per core.")
 @with_option("Send the programs of FILE, too.")
-@dialect_option("Language that the program is written in.", default="val2")
+@dialect_option("Dialect of the program.", default="val2")
 @lab_option
 @controller_option
 @color_option
@@ -117,16 +117,17 @@ def command(
 ) -> None:
     """Verify PROGRAM for a real controller, and write a bundle to be sent.
 
-    Everything that `vrts verify` looks at has to hold, with the values as the controller prints
-    them, and in every future: whatever inputs come, at every moment, at every EXECUTE. It is
-    verified again with objects 3 mm and the base 2 mm off, with other speeds and corners, at
-    SPEED 10, stopped in every tick, and raised for a dry run. What is not proven is refused. Each
-    refusal has a name by which somebody may answer for it, with a reason and a name of their own;
-    all of that stands on the operator's sheet.
+    Everything that `vrts verify` checks has to hold, with the values as the controller prints them,
+    and in every future: whatever inputs come, at every moment, at every EXECUTE. The program is
+    verified again with objects 3 mm and the base 2 mm off, with other speeds and corners, at SPEED
+    10, stopped in every tick, and raised for a dry run. What is not proven is refused.
+
+    Each refusal has a name. With --waive, --reason and --who somebody can go on in spite of it; all
+    of this is on the operator's sheet.
 
     The bundle holds programs and data as they are sent, a manifest with hashes, certificates of
-    the runs, and the sheet; the same input gives the same bytes. Nothing is sent. Exit status 1
-    when it is refused.
+    the runs, and the sheet. The same input gives the same bytes. Nothing is sent. Exit status 1
+    when the program is refused.
     """
     from vrts.cli.shared.cores import one_thread_each, workers_of
 

@@ -15,7 +15,7 @@ Examples:
 @click.argument("name", required=False)
 @guarded
 def command(name: str | None) -> None:
-    """List the profiles of controllers, or print the file of one, to be copied and corrected.
+    """List the profiles of controllers, or print the file of one, to copy and correct.
 
     A corrected copy keeps its `name`, ends in .toml, and is given with `--profile`.
     """

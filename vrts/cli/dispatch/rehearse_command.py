@@ -41,8 +41,8 @@ SPEED = 10.0
     help="How many times faster than the clock.",
 )
 @scenario_option("A scenario whose inputs are played instead of those of the export.")
-@file_option("--html", help="Where the page goes; otherwise rehearsal.html in the folder.")
-@file_option("--log", help="Where the log goes; otherwise linuxcnc.csv in the folder.")
+@file_option("--html", help="Where the page goes; without it rehearsal.html in the folder.")
+@file_option("--log", help="Where the log goes; without it linuxcnc.csv in the folder.")
 @form_option("full", "json")
 @color_option
 @guarded
@@ -55,13 +55,13 @@ def command(
     form: str,
     color: str,
 ) -> None:
-    """Carry out FOLDER on an installed LinuxCNC, and compare its motion with the run.
+    """Run FOLDER on an installed LinuxCNC, and compare its motion with the run.
 
     FOLDER is what `vrts dispatch export --to linuxcnc` wrote. LinuxCNC runs without a screen and
-    without a robot, never as root and in namespaces of its own; the inputs of the scenario are
-    played. What `machine.hal` loads runs too: rehearse folders that you exported, or have read.
-    Exit status 1 when LinuxCNC moves otherwise than the sheet claims or refuses the program, 3
-    when LinuxCNC is not installed.
+    without a robot, never as root and in namespaces of its own. The inputs of the scenario are
+    played. What `machine.hal` loads runs too: rehearse only folders that you exported or have read.
+    Exit status 1 when LinuxCNC does not move as the sheet claims, or refuses the program; 3 when
+    LinuxCNC is not installed.
     """
     from vrts.dispatch.rehearsing.installed import REMEDY, installed
     from vrts.dispatch.rehearsing.log_text import log_text

@@ -33,10 +33,10 @@ Examples:
 @click.command(name="send", epilog=EPILOG)
 @click.argument("bundle", type=click.Path(path_type=Path))
 @click.option("--port", help="Serial port of the controller: /dev/ttyUSB0, COM3.")
-@click.option("--really", is_flag=True, help="Send. Without it nothing leaves: a dry run.")
+@click.option("--really", is_flag=True, help="Send. Without it nothing is sent: a dry run.")
 @click.option("--replace", is_flag=True, help="Replace what differs; a copy is kept in a file.")
-@click.option("--resume", is_flag=True, help="Go on where a transfer was broken off.")
-@file_option("--signers", help="File of allowed signers; then one of them has to have signed.")
+@click.option("--resume", is_flag=True, help="Go on where a transfer stopped.")
+@file_option("--signers", help="File of allowed signers; one of them has to have signed.")
 @click.option("--profile", help="A corrected copy of the bundle's profile: a file NAME.toml.")
 @transcript_option
 @color_option
@@ -55,15 +55,15 @@ def command(
     """Send a BUNDLE to a controller, and read everything back.
 
     Without --really it prints all lines that would be typed. With it, programs are typed into the
-    controller's line editor and locations given by POINT; every echo is compared before RETURN,
-    every prompt awaited. At the first fault it stops, leaves the editor and says what the
-    controller holds. Then everything is listed and compared.
+    controller's line editor, and locations are given by POINT. Every echo is compared before
+    RETURN, and every prompt is waited for. At the end everything is listed and compared. At the
+    first fault it stops, leaves the editor and says what the controller holds.
 
-    The certificates in it are checked first: nothing is sent if one does not hold. With --signers
-    nothing is sent that none of them has signed (`vrts dispatch sign`).
+    The certificates in the bundle are checked first: nothing is sent if one does not hold. With
+    --signers nothing is sent unless one of them has signed it (`vrts dispatch sign`).
 
-    It never executes anything, never enables power and never calibrates. The transcript lies beside
-    the bundle unless --transcript says where. Exit status 1 unless everything is verified.
+    It never executes anything, never enables power and never calibrates. The transcript goes beside
+    the bundle unless --transcript names another place. Exit status 1 unless everything is verified.
     """
     from vrts.dispatch.bundle import read_bundle
     from vrts.dispatch.profile import find_profile

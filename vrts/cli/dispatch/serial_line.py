@@ -23,7 +23,7 @@ port_option = click.option(
 transcript_option = click.option(
     "--transcript",
     type=click.Path(path_type=Path),
-    help="Write all that goes over the line to this file, with times.",
+    help="Write everything that goes over the line to this file, with times.",
 )
 
 

@@ -28,8 +28,8 @@ Examples:
 def command(bundle: Path, key: Path, color: str) -> None:
     """Sign a BUNDLE with a key of OpenSSH, in a file beside it: BUNDLE.sig.
 
-    The bundle keeps its bytes. Its certificates are checked first; `vrts dispatch verify` proves
-    everything again: run it before you sign what somebody else has planned.
+    The bundle keeps its bytes. Only its certificates are checked first. `vrts dispatch verify`
+    proves everything again: run it before you sign what somebody else has planned.
     """
     from vrts.dispatch.bundle import digest_of, read_bundle
     from vrts.dispatch.proofs import check_proofs

@@ -18,11 +18,11 @@ Examples:
 
 @click.command(name="verify", epilog=EPILOG)
 @click.argument("bundle", type=click.Path(path_type=Path))
-@file_option("--signers", help="File of allowed signers; then the bundle has to be signed by one.")
+@file_option("--signers", help="File of allowed signers; one of them has to have signed.")
 @file_option("--signature", help="The signature; without it BUNDLE.sig, if that is there.")
-@file_option("--sheet", help="Write the operator's sheet, with who has signed.")
+@file_option("--sheet", help="Write the operator's sheet, which says who has signed.")
 @form_option("full", "json")
-@jobs_option("Worlds at a time; one a core.")
+@jobs_option("Processes at a time; without it one per core.")
 @color_option
 @guarded
 def command(
@@ -40,7 +40,7 @@ def command(
     from the files that the bundle came with: program and data as the controller prints them, each
     scenario, every future, margins, dry run and sheet. The same vrts has to make the same bytes.
 
-    A signature is BUNDLE.sig, as `vrts dispatch sign` writes it. It is trusted only by a file of
+    A signature is BUNDLE.sig, as `vrts dispatch sign` writes it. It counts only with a file of
     allowed signers: lines with a name and a public key, as for `ssh-keygen -Y verify`.
 
     Exit status 1 when something is not proven again, when a signature is wrong, or when --signers

@@ -7,10 +7,10 @@ import click
 from vrts.cli.shared.console import guarded
 
 EPILOG = """\b
-An editor starts it, and is told with `launch`:
+An editor starts it, and sends with `launch`:
   program      file with the program
   scene        name or path of a scene, or
-  task         file of a task; left out, the one beside the program
+  task         file of a task; without it the one beside the program
   scenario, lab, entry, with, dialect, nearMiss, stopOnEntry
 """
 

@@ -25,7 +25,7 @@ SETUP = {"neovim": "neovim.lua", "emacs": "emacs.el"}  # in vrts.editors
     show_default=True,
     help="File of the extension for VS Code.",
 )
-@overwrite_option("Replace the file if it is there.")
+@overwrite_option("Replace the file if it exists already.")
 @guarded
 def command(editor: str, output: Path, overwrite: bool) -> None:
     """Set an editor up for VAL-II: write VS Code's extension, or print the lines of a set-up."""

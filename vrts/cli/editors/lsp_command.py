@@ -19,7 +19,7 @@ def command() -> None:
     """Help an editor with programs while they are written (Language Server Protocol, stdio).
 
     A program without errors is run in the background, in the scene of the task.toml beside it:
-    contacts, limits and speeds appear where they happen, with the speed that would do.
+    contacts, limits and speeds appear where they happen, with the speed that would work.
     """
     try:
         from vrts.lsp.server.serving import serve

@@ -48,11 +48,11 @@ class Points(click.ParamType[Fraction]):
 @click.command(name="change", epilog=EPILOG)
 @click.argument("student")
 @marking_option
-@click.option("--delta", type=Points(), help="Points to add, or with a minus to take.")
-@click.option("--mark", type=Points(), help="What the mark is to be, after lateness.")
+@click.option("--delta", type=Points(), help="Points to add; with a minus, to take away.")
+@click.option("--mark", type=Points(), help="The new mark, after lateness.")
 @click.option("--reason", required=True, help="Why; the student may ask.")
 @click.option("--who", required=True, help="Who decides.")
-@click.option("--date", "day", metavar="YYYY-MM-DD", help="When; otherwise today.")
+@click.option("--date", "day", metavar="YYYY-MM-DD", help="When; without it today.")
 @color_option
 @guarded
 def command(
@@ -68,9 +68,9 @@ def command(
     """Change the mark of STUDENT by hand.
 
     STUDENT is an id, or a name or address that only one student has. The change is added to the end
-    of OUT/staff/overrides.toml, which may as well be edited: comments in it stay. It stands beside
-    the computed mark, and counts whenever the class is marked again. Changes of one student are
-    made one after the other.
+    of OUT/staff/overrides.toml. You may also edit that file; comments in it stay. The change is
+    shown beside the computed mark, and counts whenever the class is marked again. Several changes
+    for one student are made one after the other.
     """
     from vrts.marking.appeals.written import read_written
     from vrts.marking.by_hand.override_text import add_overrides

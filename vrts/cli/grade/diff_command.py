@@ -32,24 +32,25 @@ RESULTS = "results.json"
 @click.option(
     "--never-lower",
     is_flag=True,
-    help="Write a change by hand into NEW/staff/overrides.toml for everybody who falls.",
+    help="For everybody whose mark falls, write a change by hand into NEW/staff/overrides.toml.",
 )
-@click.option("--who", help="Who decides that; otherwise the name of the user.")
+@click.option("--who", help="Who decides that; without it the name of the user.")
 @form_option("full", "json")
 @color_option
 @guarded
 def command(
     old: Path, new: Path, never_lower: bool, who: str | None, form: str, color: str
 ) -> None:
-    """Tell who moves from the marking OLD to the marking NEW, and why.
+    """Say whose mark differs between the marking OLD and the marking NEW, and why.
 
-    OLD and NEW are folders that `vrts grade` wrote with -o, or their staff/results.json. To repair
-    a task: mark into another folder, compare, and hand out the marks of the new one. Compared are
-    final marks, after lateness and changes by hand, those in NEW as its overrides.toml has them
-    now. Copy the overrides.toml of OLD to NEW before, or its changes are missing there.
+    OLD and NEW are folders that `vrts grade` wrote with -o, or their staff/results.json. When you
+    have repaired a task, mark into another folder, compare, and hand out the marks of the new one.
+    The marks compared are final: after lateness and changes by hand. For NEW those changes are read
+    from its overrides.toml as it is now. First copy the overrides.toml of OLD to NEW, or its
+    changes are missing there.
 
-    With --never-lower nobody ends below the old mark: mark NEW again afterwards, which takes
-    moments. Exit status 1 when somebody falls or has no mark any more.
+    With --never-lower nobody ends below the old mark. Mark NEW again afterwards; that takes
+    moments. Exit status 1 when a mark falls, or when somebody has no mark any more.
     """
     from vrts.marking.appeals.moves import diff
     from vrts.marking.appeals.moves_text import diff_text

@@ -20,7 +20,7 @@ Examples:
 @click.command(name="evidence", epilog=EPILOG)
 @click.argument("student")
 @marking_option
-@file_option("-o", "--output", "target", help="The zip; or evidence-ID.zip.")
+@file_option("-o", "--output", "target", help="The zip to write; without it evidence-ID.zip.")
 @file_option(
     "--submissions",
     help="Where the download is now, if it was moved.",
@@ -38,13 +38,14 @@ def command(
 ) -> None:
     """Pack everything that the mark of STUDENT rests on, for an appeal.
 
-    STUDENT is an id, or a name or address that only one student has. The zip has the program
+    STUDENT is an id, or a name or address that only one student has. The zip holds the program
     exactly as handed in, its line of the table of hand-ins, the task with its hidden part, result,
-    reports and recording, changes by hand, the command, versions, and a sha256 of every file;
-    nothing of any other student. It is for those who decide: students may not see hidden checks.
+    reports and recording, changes by hand, the command, versions, and a sha256 of every file. It
+    holds nothing of any other student. It is for those who decide: students must not see hidden
+    checks.
 
     Task and program must be those that were marked, byte for byte, or nothing is packed. `vrts
-    grade reproduce` marks the zip again on any machine.
+    grade reproduce` marks the program in the zip again, on any machine.
     """
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     from vrts.marking.appeals.pack_evidence import pack_evidence

@@ -65,7 +65,7 @@ NAMES = (
     multiple=True,
     required=True,
     metavar="FORMAT",
-    help="What to write; may be given more than once.",
+    help="What to write; you may give it more than once.",
 )
 @file_option(
     "--fill",
@@ -73,7 +73,7 @@ NAMES = (
     help="The worksheet or grade book that you exported; it is read, and stays as it is.",
 )
 @click.option("--column", default="", metavar="TITLE", help="The column in FILE for the marks.")
-@click.option("--points", metavar="N", help="What full marks are worth; otherwise as in FILE.")
+@click.option("--points", metavar="N", help="What the full mark is worth; without it as in FILE.")
 @click.option("--no-comments", is_flag=True, help="Fill in marks only, no comments.")
 @click.option("--no-pages", is_flag=True, help="Feedback without reports and recordings.")
 @click.option(
@@ -81,13 +81,13 @@ NAMES = (
     type=click.Choice([",", ";"]),
     default=",",
     show_default=True,
-    help="In `csv`; with `;` numbers have a decimal comma.",
+    help="Separator of fields in `csv`; with `;` numbers have a decimal comma.",
 )
 @file_option(
     "-o",
     "--output",
     "target",
-    help="The file to write, or the folder where there are several; otherwise OUT/staff/exports.",
+    help="File to write, or folder if there are several; without it OUT/staff/exports.",
 )
 @color_option
 @guarded
@@ -105,12 +105,14 @@ def command(
 ) -> None:
     """Write the marks in OUT in the formats of other systems.
 
-    OUT is the folder that `vrts grade` wrote with -o. Marks are final ones, after lateness and
-    changes by hand as OUT/staff/overrides.toml has them now. A worksheet or grade book is filled
-    in: every other field, the order of rows and columns, delimiter, decimal mark and line ends stay
-    as they are; students are found by id, then address or login, then name. What students get says
-    nothing of hidden checks. After marking with --pseudonyms what goes to Moodle and Canvas, and
-    the table, have the names again, from OUT/staff/names.csv; the rest stays without.
+    OUT is the folder that `vrts grade` wrote with -o. The marks are final: after lateness, and
+    after the changes by hand that are in OUT/staff/overrides.toml now. A worksheet or grade book is
+    only filled in: every other field, the order of rows and columns, delimiter, decimal mark and
+    line ends stay as they are. Students are found by id, then by address or login, then by name.
+    What students get says nothing of hidden checks.
+
+    After marking with --pseudonyms, the files for Moodle and Canvas and the table have the names
+    again, from OUT/staff/names.csv. All other files stay without names.
     """
     from vrts.marking.appeals.written import read_written
     from vrts.marking.by_hand.overrides import with_overrides

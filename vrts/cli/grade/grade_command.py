@@ -5,13 +5,13 @@ import click
 from vrts.cli.grammar.group import LazyGroup
 
 SUBCOMMANDS = {
-    "intake": "tell who handed in what, and write a table to edit",
-    "plan": "cut a class into shards for other machines",
+    "intake": "list who handed in what, in a table that you can edit",
+    "plan": "divide a class into shards for other machines",
     "run": "mark one shard, on any machine",
     "merge": "bring the results of shards together",
     "export": "write grade books, feedback and results for other systems",
     "init": "write an autograder for a platform",
-    "evidence": "pack all that a mark rests on, for an appeal",
+    "evidence": "pack everything that a mark rests on, for an appeal",
     "reproduce": "mark what is in an evidence zip again, and compare",
     "diff": "compare two markings of a class",
     "change": "change a mark by hand",

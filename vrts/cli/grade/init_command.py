@@ -39,17 +39,17 @@ def command() -> None:
     "places",
     multiple=True,
     metavar="FILE|FOLDER",
-    help="Wheels to put in: vrts, and what it needs; otherwise from the package index.",
+    help="Wheels to pack: vrts and what it needs; without it from the package index.",
 )
 @color_option
 @guarded
 def gradescope(task: Path, target: Path, places: tuple[Path, ...], color: str) -> None:
     """Write a zip that Gradescope takes as an autograder of TASK.
 
-    TASK is the folder of a task, or its zip for the staff; the hidden part goes in. The zip holds
-    setup.sh, which installs this version of vrts, and run_autograder, which marks one submission
-    and writes results/results.json: hidden checks as hidden tests, and the total when marks are
-    published. Should marking not end in nine minutes, there is a result that says so.
+    TASK is the folder of a task, or its zip for the staff. The hidden part is packed, too. The zip
+    holds setup.sh, which installs this version of vrts, and run_autograder, which marks one
+    submission and writes results/results.json: hidden checks as hidden tests, and the total when
+    marks are published. If marking does not end in nine minutes, the result says so.
     """
     del color
     from vrts.marking.exports.autograders.autograder_zip import (

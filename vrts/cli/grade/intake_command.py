@@ -24,20 +24,20 @@ Examples:
 
 @click.command(name="intake", epilog=EPILOG)
 @click.argument("place", type=click.Path(path_type=Path))
-@file_option("--task", help="The task: which program it runs.")
+@file_option("--task", help="The task, which says which program runs.")
 @click.option(
-    "--entry", "program", metavar="NAME", help="The program to look for, where there is no task."
+    "--entry", "program", metavar="NAME", help="The program to look for, if you give no task."
 )
 @roster_option(", and with Moodle when the work came")
 @zone_option
 @file_option("-o", "--output", "target", help="The table to write.")
-@click.option("--overwrite", is_flag=True, help="Write the table also where there is one already.")
+@click.option("--overwrite", is_flag=True, help="Write the table even if it exists already.")
 @click.option(
     "--delimiter",
     type=click.Choice([",", ";"]),
     default=",",
     show_default=True,
-    help="Between fields of the table; spreadsheets of many languages want `;`.",
+    help="Separator of fields in the table; spreadsheets of many languages want `;`.",
 )
 @guarded
 def command(
@@ -50,14 +50,15 @@ def command(
     overwrite: bool,
     delimiter: str,
 ) -> None:
-    """Tell who handed in which program in PLACE, and what is wrong.
+    """List who handed in which program in PLACE, and what is wrong.
 
     PLACE is a folder or a zip: a download of Moodle, Canvas or Gradescope, a folder for each
-    student, or files side by side. Writes intake.csv into a folder or beside a zip (with -o
-    elsewhere), which may be edited: another file, another id, an own deadline in `due`, `excused`
-    as the problem; `vrts grade` obeys it. Its column `download` tells of which download it is:
-    where there is one of another, it is called NAME-intake.csv. Exit status 1 when a row has a
-    problem.
+    student, or files side by side. Exit status 1 when a row has a problem.
+
+    It writes the table intake.csv into the folder or beside the zip; -o names another place. You
+    may edit the table, and `vrts grade` obeys it: give another file, another id, the student's own
+    deadline in `due`, or `excused` as the problem. Its column `download` says which download it is
+    about. If a table of another download is there, the new one is called NAME-intake.csv.
     """
     from vrts.marking.intake.tables.intake_table import write_rows
     from vrts.marking.intake.tables.own_table import place_of_table

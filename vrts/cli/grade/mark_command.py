@@ -70,12 +70,12 @@ Clusters (pip install 'vrts[cluster]', here and where the workers are):
   dask              those of Dask's own configuration, else threads of this machine
   slurm, htcondor   --jobs many jobs, as ~/.config/dask/jobqueue.yaml says, for example
                     jobqueue: {slurm: {cores: 1, memory: 2GB, walltime: "01:00:00"}}
-                    (htcondor needs disk: 2GB as well); call it where jobs are submitted
+                    (htcondor needs disk: 2GB as well); call it where you submit jobs
 Workers get pseudonyms and programs, and the task with its hidden checks: use clusters whose
 scheduler only you can reach. Without Dask: vrts grade plan, run and merge.
 
 \b
-Further: vrts grade intake | plan | run | merge | export | init | evidence | reproduce | diff |
+More: vrts grade intake | plan | run | merge | export | init | evidence | reproduce | diff |
 change, each with --help. Sessions of the live server: vrts grade [TASK] --session FILE.
 """
 
@@ -84,7 +84,7 @@ change, each with --help. Sessions of the live server: vrts grade [TASK] --sessi
 @click.argument("task")
 @click.argument("submissions", nargs=-1, type=click.Path(path_type=Path))
 @results_option
-@jobs_option("Programs at a time; one a core.")
+@jobs_option("Programs at a time; without it one per core.")
 @table_option
 @roster_option()
 @zone_option
@@ -112,12 +112,12 @@ change, each with --help. Sessions of the live server: vrts grade [TASK] --sessi
     type=click.IntRange(1),
     default=10,
     show_default=True,
-    help="How many `--verify` marks again.",
+    help="How many programs `--verify` marks again.",
 )
 @click.option(
     "--pseudonyms",
     is_flag=True,
-    help="Give ids and files other names; who is who stands in staff/names.csv alone.",
+    help="Give ids and files other names; only staff/names.csv says who is who.",
 )
 @again_option
 @no_pages_option()
@@ -159,18 +159,18 @@ def command(
     example without submissions marks its own. SUBMISSIONS are programs, a folder, or a zip: a
     download of Moodle, Canvas or Gradescope, a folder for each student, or files side by side.
 
-    Every submission has two reports: `students/ID` in the output is for the student alone,
-    `staff/students/ID` is for those who mark and has what is to be reviewed, the facts for an
-    appeal, and hidden checks. Marks, the overview of the class, and a ranking of programs that are
-    alike are in `staff`. A second call marks only what has changed since, and one that was
-    interrupted (exit status 130) goes on. Exit status 0 when every row has a result.
+    Every submission gets two reports. `students/ID` in the output is for the student alone.
+    `staff/students/ID` is for those who mark: it also shows what to review, facts for an appeal,
+    and hidden checks. `staff` holds the marks, the overview of the class, and a ranking of programs
+    that are alike. A second call marks only what has changed since. After an interruption (exit
+    status 130) the same call goes on. Exit status 0 when every row has a result.
 
-    With --mend N the results for staff, and the overview, tell what change of a program would earn
-    the full mark, and how many have made the same mistake. Students are told nothing of it.
+    With --mend N the results for staff and the overview say which change of a program would earn
+    the full mark, and how many made the same mistake. Students learn nothing of it.
 
-    With --pseudonyms no name of a person or file is in the output but in staff/names.csv, which
-    only its owner may read; ids are made with the key in staff/pseudonyms.key, and stay the same
-    when it does. What students write into their programs is not changed.
+    With --pseudonyms the only names of persons and files in the output are in staff/names.csv,
+    which only its owner may read. vrts makes the ids with the key in staff/pseudonyms.key: they
+    stay the same when the key does. It does not change what students write into their programs.
     """
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before numpy: threads do not fork
     from vrts.marking.layout import Layout

@@ -22,8 +22,8 @@ Examples:
   vrts grade merge plan shard-01.zip shard-02.zip -o out
 
 \b
-Lists of marks and the overview are written when the class is marked into the same folder: what was
-merged is not marked again, and what is missing is marked here.
+Then mark the class into the same folder, to write the lists of marks and the overview. What was
+merged is not marked again; what is missing is marked here:
   vrts grade lab1-staff.zip download.zip -o out
 """
 
@@ -41,11 +41,11 @@ merged is not marked again, and what is missing is marked here.
 @color_option
 @guarded
 def command(plan: Path, results: tuple[Path, ...], folder: Path, color: str) -> None:
-    """Put RESULTS of shards where marking puts them, under the names they have at home.
+    """Put RESULTS of shards where marking puts them, under the students' own ids.
 
     PLAN is the folder of `vrts grade plan`, or its key.json; RESULTS are zips of `vrts grade run`,
     or folders of them. Results that are damaged, or belong to another plan, are refused one by one.
-    It can be called again with further results. Exit status 1 when results are refused or missing.
+    You can call it again with more results. Exit status 1 when results are refused or missing.
     """
     from vrts.marking.about import NAME
     from vrts.marking.class_files import begin_class

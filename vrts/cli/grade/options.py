@@ -10,12 +10,14 @@ results_option = file_option("-o", "--output", "folder", help="Folder for result
 marking_option = file_option(
     "--from", "folder", required=True, metavar="OUT", help="The folder that the marking wrote."
 )
-table_option = file_option("--intake", "table", help="The table of `vrts grade intake`, as edited.")
-again_option = click.option("--again", is_flag=True, help="Mark also what is marked already.")
+table_option = file_option(
+    "--intake", "table", help="The table of `vrts grade intake`, with edits."
+)
+again_option = click.option("--again", is_flag=True, help="Mark again what is marked already.")
 zone_option = click.option(
     "--zone",
     metavar="ZONE",
-    help="Of times without one: Europe/Vienna, or +01:00; otherwise that of the task's deadline.",
+    help="Zone of times that name none: Europe/Vienna, +01:00; without it that of the deadline.",
 )
 
 
@@ -36,7 +38,7 @@ def mend_option() -> Option[Any]:
         type=click.IntRange(0, 5000),
         default=0,
         metavar="N",
-        help="Look for what would earn the full mark: with N changed programs for each, as 300.",
+        help="Look for what would earn the full mark: try N changes of each program, such as 300.",
     )
 
 

@@ -37,7 +37,7 @@ with GNU parallel, on several:
 as a SLURM array, on machines that share this folder:
   sbatch --array=1-20 --mem=4G --wrap \\
       'vrts grade run plan/shards/shard-$(printf %02d $SLURM_ARRAY_TASK_ID).json -o results'
-and at home again:
+and then on your own machine:
   vrts grade merge plan results -o out
   vrts grade lab1-staff.zip download.zip -o out
 """
@@ -56,7 +56,7 @@ and at home again:
     help="Folder of the plan.",
 )
 @click.option(
-    "--overwrite", is_flag=True, help="Plan again: results of the old plan become foreign."
+    "--overwrite", is_flag=True, help="Plan again; results of the old plan cannot be merged then."
 )
 @table_option
 @roster_option()
@@ -86,14 +86,16 @@ def command(
     lab: Path | None,
     color: str,
 ) -> None:
-    """Cut a class into shards that other machines can mark.
+    """Divide a class into shards that other machines can mark.
 
-    TASK, SUBMISSIONS and options are those of `vrts grade`; give it the same ones in the end, and
-    -o, for the lists of marks (--pseudonyms there is for marking on this machine only).
+    TASK, SUBMISSIONS and options are those of `vrts grade`. At the end give them to `vrts grade`
+    again, with -o: it writes the lists of marks. (Its --pseudonyms is for marking on this machine
+    only.)
 
-    Every file in PLAN/shards has all that marking needs: the task, its hidden checks too, and some
-    programs under pseudonyms. It holds no name of a student or of a file; what students write in
-    their programs goes along. PLAN/key.json tells whose results are whose and stays at home.
+    Every file in PLAN/shards has all that marking needs: the task with its hidden checks, and some
+    programs under pseudonyms. It holds no name of a student or of a file, but it does hold what
+    students write in their programs. PLAN/key.json says whose results are whose: keep it on your
+    own machine.
     """
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before numpy: threads do not fork
     from vrts.marking.class_plan import plan_class

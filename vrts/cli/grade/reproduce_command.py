@@ -20,12 +20,12 @@ Examples:
 @color_option
 @guarded
 def command(evidence: Path, color: str) -> None:
-    """Mark what is in EVIDENCE again, and tell whether the result is the same.
+    """Mark what is in EVIDENCE again, and say whether the result is the same.
 
-    EVIDENCE is a zip of `vrts grade evidence`. Every file must be as its sha256 says; then the
-    program is marked by the task in the zip, in a process of its own, and both results, that for
-    the staff and that for the student, are compared in everything. Exit status 0 for the same
-    result, 1 for another one, or for a zip that is damaged or was altered, 3 where nothing was
+    EVIDENCE is a zip of `vrts grade evidence`. Every file must match its sha256. Then the program
+    is marked by the task in the zip, in a process of its own. Both results are compared in
+    everything: the one for the staff and the one for the student. Exit status 0 for the same
+    result; 1 for another one, or for a zip that is damaged or was changed; 3 when nothing was
     handed in that could be marked.
     """
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before numpy: threads do not fork

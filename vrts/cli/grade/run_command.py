@@ -27,7 +27,7 @@ Examples:
     "--output",
     "target",
     default=Path("."),
-    help="The zip to write, or a folder for it; otherwise this folder.",
+    help="The zip to write, or a folder for it; without it this folder.",
 )
 @jobs_option("Programs at a time.", default=1)
 @color_option
@@ -35,8 +35,9 @@ Examples:
 def command(shard: Path, target: Path, jobs: int, color: str) -> None:
     """Mark one SHARD of `vrts grade plan`, on any machine that has the same vrts.
 
-    Writes a zip of results and pages for `vrts grade merge`. Limits are those of `vrts grade`. A
-    call that was interrupted goes on where it was, and one whose zip is there does nothing.
+    It writes a zip of results and pages for `vrts grade merge`. The limits are those of `vrts
+    grade`. After an interruption the same call goes on where it was. If the zip of this
+    shard is there already, it does nothing.
     """
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before numpy: threads do not fork
     from vrts.cli.shared.progress import Progress

@@ -48,17 +48,17 @@ Examples:
     multiple=True,
     required=True,
     metavar="FILE|ID",
-    help="A log, a server's folder or database (a row for every room), or a room's name or id.",
+    help="A log, a server's folder or database (one row per room), or a room's name or id.",
 )
 @file_option(
     "--folder",
     "server",
     default=Path("vrts-live"),
     show_default=True,
-    help="Server whose rooms are named.",
+    help="Folder of the server whose rooms you name.",
 )
 @results_option
-@jobs_option("Sessions at a time; one a core.")
+@jobs_option("Sessions at a time; without it one per core.")
 @again_option
 @no_pages_option()
 @no_collisions_option
@@ -83,14 +83,14 @@ def command(
 ) -> None:
     """Mark sessions of the live server like submissions, by TASK or by the task of their room.
 
-    Of every room the last session counts in which something was done, from its last reset on. The
-    chain of its log is verified, the session repeated exactly, and what has begun is finished.
-    Everything that was done is judged as one run, whoever did it and by whatever means: monitor,
-    pointer, pendant or programs. Its time is that in which a program executes, or arm or hand move:
-    thinking costs nothing. Hidden scenes are left out, since nobody could act in them.
+    In each room the last session counts in which something was done, from its last reset on. The
+    chain of its log is checked, the session is repeated exactly, and what has begun is finished.
+    Everything that was done is judged as one run, whoever did it and with whatever means: monitor,
+    pointer, pendant or programs. Time counts only while a program executes, or the arm or the hand
+    moves: thinking costs nothing. Hidden scenes do not count, since nobody could act in them.
 
-    Results and pages are those of `vrts grade`; what was done is shown there as a program. A room
-    in which nothing was done, or whose log was changed or purged, has a row without a mark.
+    Results and pages are those of `vrts grade`; they show what was done as a program. A room in
+    which nothing was done, or whose log was changed or purged, has a row without a mark.
     """
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before numpy: threads do not fork
     from vrts.live.logs.class_sessions import sessions_in

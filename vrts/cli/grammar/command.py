@@ -128,7 +128,7 @@ def _quiet() -> click.Option:
         expose_value=False,
         is_eager=True,
         callback=keep,
-        help="Say on stderr only what is wrong.",
+        help="On stderr, print only problems.",
     )
 
 

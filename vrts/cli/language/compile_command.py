@@ -39,7 +39,7 @@ Examples:
     "--emit",
     type=click.Choice(["nothing", "ir", "store"]),
     default="nothing",
-    help="Print the IR, or what STORE writes.",
+    help="Print the compiled form (IR), or what STORE writes.",
 )
 @click.option("--exact", is_flag=True, help="With --emit store: locations with all their digits.")
 @click.option(
@@ -48,7 +48,7 @@ Examples:
     type=click.Choice(FORMS),
     default="full",
     show_default=True,
-    help="How problems are told: full on stderr, all others on stdout.",
+    help="How to print problems: full goes to stderr, all others to stdout.",
 )
 @language_options
 @color_option

@@ -22,7 +22,7 @@ Examples:
 @click.option(
     "--assumptions",
     is_flag=True,
-    help="Tell what had to be assumed: what, how much, why, how to find out.",
+    help="List what vrts had to assume: what, how much, why, and how to find out.",
 )
 @guarded
 def command(codes: tuple[str, ...], assumptions: bool) -> None:

@@ -36,15 +36,15 @@ Examples:
 
 @click.command(name="fix", epilog=EPILOG)
 @click.argument("programs", metavar="PROGRAM...", nargs=-1, required=True)
-@click.option("--diff", is_flag=True, help="Write nothing to files; print what would change.")
-@click.option("--write", is_flag=True, help="Write the mended program; stdin goes to stdout.")
+@click.option("--diff", is_flag=True, help="Print what would change, and write no file.")
+@click.option("--write", is_flag=True, help="Write the corrected program; stdin goes to stdout.")
 @click.option(
     "--behaviour",
     is_flag=True,
-    help="Look for the smallest change that earns the full mark; it is executed and certified.",
+    help="Look for the smallest change that earns the full mark, by running and certifying it.",
 )
 @task_option()
-@dialect_option("Language of the family; auto looks at file name and content.", default="auto")
+@dialect_option("Dialect of the program; auto looks at file name and content.", default="auto")
 @color_option
 @guarded
 def command(
@@ -56,13 +56,14 @@ def command(
     dialect: str,
     color: str,
 ) -> None:
-    """Mend what is certain in each PROGRAM (a file, or - for stdin).
+    """Correct the mistakes in each PROGRAM (a file, or - for stdin) that have a sure remedy.
 
-    Lists what it would do; nothing is written without --write. Only what a message has a sure
-    remedy for is changed, and every other byte stays. The exit status is 1 where errors are left.
+    It lists what it would change, and writes nothing without --write. It changes only what a
+    message has a sure remedy for; every other byte stays. Exit status 1 when errors are left.
 
-    With --behaviour it mends what programs do, one change each, as far as the task beside it or
-    given allows hints. The exit status is 1 where a program loses points that no change wins back.
+    With --behaviour it mends what programs do, with one change each. The hints that the task allows
+    decide how much it says: the task beside the program, or the one that you give. Exit status 1
+    when a program loses points that no change wins back.
     """
     if behaviour:
         from vrts.cli.language.behaviour import mend_behaviour

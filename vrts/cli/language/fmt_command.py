@@ -33,15 +33,15 @@ Examples:
 @click.command(name="fmt", epilog=EPILOG)
 @click.argument("programs", metavar="PROGRAM...", nargs=-1, required=True)
 @click.option("--check", is_flag=True, help="Write nothing; exit status 1 if a file would change.")
-@click.option("--diff", is_flag=True, help="Write nothing to files; print what would change.")
-@dialect_option("Language of the family; auto looks at file name and content.", default="auto")
+@click.option("--diff", is_flag=True, help="Print what would change, and write no file.")
+@dialect_option("Dialect of the program; auto looks at file name and content.", default="auto")
 @color_option
 @guarded
 def command(programs: tuple[str, ...], check: bool, diff: bool, dialect: str, color: str) -> None:
-    """Write each PROGRAM (a file, or - for stdin) in the canonical layout.
+    """Write each PROGRAM (a file, or - for stdin) in the standard layout.
 
-    Keywords upper case, names lower case, structures indented; comments, blank lines and the
-    numbers of the steps stay, and so does what the program means. Encoding and line ends stay. A
+    Keywords become upper case, names lower case, and structures are indented. Comments, blank
+    lines, the numbers of the steps, encoding and line ends stay, and the program means the same. A
     line that cannot be read stays as it is; the exit status is 1 then.
     """
     from vrts.pipeline.compiling.formatting import format_bytes

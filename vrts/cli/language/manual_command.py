@@ -49,7 +49,7 @@ TITLES = {"do": "Do", "look up": "Look up", "understand": "Understand"}
 def command(
     ctx: click.Context, what: tuple[str, ...], path: bool, listed: bool, form: str, color: str
 ) -> None:
-    """Show the page about WHAT: a word, a message, a command, or any question in your words.
+    """Show the page about WHAT: a word, a message, a command, or any question in your own words.
 
     Without WHAT the manual opens in the browser. It is on this machine: no network is needed.
     """

@@ -39,9 +39,9 @@ Examples:
 @form_option("full", "json")
 @guarded
 def command(word: tuple[str, ...], kind: str | None, dialect: str | None, form: str) -> None:
-    """Show the words of the language and how far vrts goes with them; all, or one WORD.
+    """Show the words of the language and how far vrts supports them: all, or one WORD.
 
-    WORD may also be a word of another robot language, or what you want in your own words.
+    WORD may also be a word of another robot language, or what you want to do in your own words.
     """
     from vrts.lang.dialect import DIALECTS
     from vrts.report.formats.json_text import json_text

@@ -26,8 +26,8 @@ Examples:
 
 @click.command(name="replay", epilog=EPILOG)
 @click.argument("file", type=click.Path(path_type=Path))
-@click.option("--session", type=click.IntRange(1), help="Which session; else the last.")
-@click.option("--scene", help="Scene or task, where the library has none of the log's name.")
+@click.option("--session", type=click.IntRange(1), help="Which session; without it the last.")
+@click.option("--scene", help="Scene or task, if the library has none with the log's name.")
 @file_option("--csv", "table", help="Write a table.")
 @click.option("--rate", type=click.IntRange(1, 1000), default=50, help="Rows a second.")
 @click.option(
@@ -37,7 +37,9 @@ Examples:
     show_default=True,
     help="How long to go on after the last command [s].",
 )
-@click.option("--page", is_flag=True, help="See it move in the browser, both ways, at any speed.")
+@click.option(
+    "--page", is_flag=True, help="See it move in the browser, forward and backward, at any speed."
+)
 @file_option("-o", "--output", "target", help="File for the page.")
 @no_open_option("Write the page (see -o), but open nothing.")
 @guarded
@@ -54,7 +56,7 @@ def command(
 ) -> None:
     """Repeat a live session from its exported log FILE, exactly, and print what happened.
 
-    The log's chain is verified first. Supervisors fetch logs from the panel Lead of the page.
+    The log's chain is checked first. Supervisors get logs from the panel Lead of the page.
     FILE may also be a run that `vrts run --save` has written (.vrun).
     """
     if (target is not None or no_open) and not page:

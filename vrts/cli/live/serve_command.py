@@ -30,13 +30,13 @@ Examples:
     "--folder",
     default=Path("vrts-live"),
     show_default=True,
-    help="What is kept: accounts, rooms, logs, users' files.",
+    help="Folder for what is kept: accounts, rooms, logs, users' files.",
 )
 @lab_option
-@file_option("--rooms", help="File with the name of a room a line.")
+@file_option("--rooms", help="File with the names of rooms, one on each line.")
 @click.option("--name", "names", multiple=True, help="Name under which browsers find the server.")
 @file_option("--tls-cert", help="Certificate, for https.")
-@file_option("--tls-key", help="Its key.")
+@file_option("--tls-key", help="Key of the certificate, for https.")
 @click.option("--behind-proxy", is_flag=True, help="A proxy on this machine does https.")
 @click.option("--no-code", is_flag=True, help="No class code: links and accounts only.")
 @click.option(
@@ -49,7 +49,7 @@ Examples:
     type=click.IntRange(1),
     default=64,
     show_default=True,
-    help="Of a session's history older than ten minutes.",
+    help="Space for a session's history older than ten minutes.",
 )
 @click.option(
     "--log-quota",
@@ -57,12 +57,14 @@ Examples:
     type=click.IntRange(1),
     default=256,
     show_default=True,
-    help="Of the log of a session.",
+    help="Space for the log of a session.",
 )
 @click.option("--students-reset", is_flag=True, help="Operators may reset and rewind.")
 @click.option("--add-user", metavar="NAME", help="Add an account, ask for its password, and end.")
 @click.option("--supervisor", is_flag=True, help="The added account may supervise.")
-@click.option("--purge-user", metavar="NAME", help="Forget a user, and end; logs stay verifiable.")
+@click.option(
+    "--purge-user", metavar="NAME", help="Forget a user, and end; logs can still be checked."
+)
 @click.option("--verify-logs", is_flag=True, help="Check the chains of all logs, and end.")
 @file_option("--backup", help="Copy the database, and end.")
 @guarded
@@ -91,25 +93,26 @@ def command(
 ) -> None:
     """Share sessions in the browser: a class works with one virtual robot together.
 
-    SCENES are names or files of scenes, task files, or folders with a task: the set that the
-    supervisor may choose from. Students open the page and type the class code.
+    SCENES are names or files of scenes, task files, or folders with a task. The supervisor chooses
+    from them. Students open the page and type the class code.
 
-    Who is sent away cannot enter that room again until they are allowed: known by account, and as a
-    guest by browser and name. A class code lets in whoever knows it: another browser and another
-    name are another guest. Where that matters, use `--no-code`, accounts and join links.
+    Somebody who was sent away cannot enter that room again until the supervisor allows it. A user
+    is known by the account, a guest by browser and name. A class code lets in everybody who knows
+    it: with another browser and another name you are another guest. If that matters, use
+    `--no-code`, accounts and join links.
 
     After a crash, start it with the same folder. Every room goes on where it was, with arm and
-    programs stopped: what was done is done again from the log, exactly. Where that cannot be, for
-    another scene or a purged user, the room begins again and is told why.
+    programs stopped: the server repeats exactly what the log says. If it cannot, for another scene
+    or a purged user, the room begins again and is told why.
 
-    A session can be rewound to any moment and saved as a program, however long ago: what is older
-    than ten minutes goes to a file, the oldest of it first when `--history-quota` is reached. The
-    log is never cut: when `--log-quota` is reached, commands are refused, but panic, until the
+    A session can be rewound to any moment and saved as a program. What is older than ten minutes
+    goes to a file. When the file reaches `--history-quota`, the oldest part is forgotten. The log
+    is never cut. When it reaches `--log-quota`, every command except panic is refused, until the
     supervisor begins another session by choosing the scene again. The room is told of both.
 
-    It listens on this machine only unless `--host` says otherwise. For https give `--tls-cert` and
-    `--tls-key`, or put a proxy before it that passes `Host` and WebSockets on, with
-    `--behind-proxy --name lab.example.org`.
+    It listens on this machine only, unless `--host` names another address. For https give
+    `--tls-cert` and `--tls-key`, or put a proxy in front of it that passes `Host` and WebSockets
+    on, with `--behind-proxy --name lab.example.org`.
     """
     if add_user or purge_user or verify_logs or backup:
         administer(folder, add_user, purge_user, backup, supervisor=supervisor, verify=verify_logs)

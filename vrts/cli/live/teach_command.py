@@ -22,7 +22,7 @@ Examples:
 @file_option("-o", "--output", required=True, help="File for the locations.")
 @lab_option
 @click.option("--terminal", is_flag=True, help="Use the keys of the terminal as the pendant.")
-@overwrite_option("Replace the file if it is there.")
+@overwrite_option("Replace the file if it exists already.")
 @no_open_option("Print the link, and open no browser.")
 @click.option(
     "--port", type=click.IntRange(0, 65_535), default=0, help="Port of the page; 0 takes any."
@@ -40,9 +40,9 @@ def command(
     """Move the arm in SCENE, record locations, write them as `.LOCATIONS`.
 
     The page in the browser has a virtual pointer, a pendant and the monitor, for one user on this
-    machine: the link lets one browser in, once. Every location that is recorded is in the file at
-    once. The scene can be reset, and the session be taken back to an earlier moment to go on from
-    there; what was recorded stays. Ctrl-C ends it.
+    machine. The link lets one browser in, once. Every location is in the file as soon as you record
+    it. You can reset the scene, or go back to an earlier moment and go on from there; what you
+    recorded stays. Ctrl-C ends it.
     """
     if output.exists() and not overwrite:
         if terminal and not _at_terminal():

@@ -38,7 +38,7 @@ Examples:
 @scene_option("Name or path of the scene that the program runs in.")
 @task_option(packed=True)
 @scenario_option()
-@file_option("--run", help="A saved run (.vrun) that the certificate is to be about.")
+@file_option("--run", help="A saved run (.vrun) that the certificate has to be about.")
 @executed_so
 def command(
     certificate: Path,
@@ -48,12 +48,12 @@ def command(
     language: Language,
     color: str,
 ) -> None:
-    """Check a CERTIFICATE that `verify --certificate` wrote: of PROGRAM, if it is given.
+    """Check a CERTIFICATE that `verify --certificate` wrote; it has to be about PROGRAM, if given.
 
-    The program in the certificate is executed again, in its scene, and everything that the
-    certificate claims is checked by a small checker that uses no distance library. Exit status 1
-    when something is not proven, or it is about another program, scene, task, controller model or
-    run than is given.
+    vrts executes the program in the certificate again, in its scene. A small checker that uses no
+    distance library checks everything that the certificate claims. Exit status 1 when something is
+    not proven, or when the certificate is about another program, scene, task, controller model or
+    run than you give.
     """
     from vrts.pipeline.controllers import model_named
     from vrts.report.screen.proof_text import About, proof_text

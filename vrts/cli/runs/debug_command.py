@@ -27,7 +27,7 @@ EPILOG = """\b
 Examples:
   vrts debug prog.v2
   vrts debug prog.v2 --scene cans-on-bases
-n and N go a step forward and back, c and C to the next stop and the last one, v and V show the
+n and N go a step forward and back, c and C to the next stop and the one before, v and V show the
 moment in the browser and in the Rerun viewer, : takes a command of the monitor; ? shows all keys.
 """
 
@@ -39,9 +39,9 @@ moment in the browser and in the Rerun viewer, : takes a command of the monitor;
 @scenario_option(IN_CELL)
 @lab_option
 @controller_option
-@entry_option("Program of the file to execute; the task's, or the main one, otherwise.")
+@entry_option("Program to execute; without it the task's, or the main one.")
 @with_option()
-@dialect_option("Language of the family; left out, file name and content tell.", auto=False)
+@dialect_option("Dialect; without it vrts looks at file name and content.", auto=False)
 @color_option
 @guarded
 @placed

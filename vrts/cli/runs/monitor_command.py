@@ -24,8 +24,8 @@ Examples:
   vrts monitor pick.v2 --scene cans-on-bases
   printf 'LOAD pick\\nEXECUTE main\\nWHERE\\n' | vrts monitor
 \b
-From a pipe the next line is issued when the robot program has stopped, or, after a line `;@ 2.5`,
-at that simulated time in s.
+From a pipe, each line is typed when the robot program has stopped. After a line `;@ 2.5` the next
+one is typed at that simulated time, in s.
 """
 
 
@@ -35,7 +35,7 @@ at that simulated time in s.
 @lab_option
 @controller_option
 @scenario_option(IN_CELL)
-@dialect_option("Language of commands and programs.", auto=False, default="val2")
+@dialect_option("Dialect of commands and programs.", auto=False, default="val2")
 @click.option("--replace", is_flag=True, help="LOAD replaces programs that are in memory.")
 @click.option("--overwrite", is_flag=True, help="STORE replaces files without asking.")
 @guarded

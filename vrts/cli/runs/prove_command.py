@@ -60,14 +60,14 @@ Examples:
 @click.option(
     "--states",
     type=click.IntRange(1, 100_000_000),
-    help="Look at no more than so many states.",
+    help="Look at no more states than this.",
 )
 @click.option(
     "--seconds",
     type=click.FloatRange(0.1),
-    help="Stop looking after so long, and tell what is known by then.",
+    help="Stop looking after this time, and say what is known by then.",
 )
-@jobs_option("Processes at a time; one a core. The answer is the same for any number.")
+@jobs_option("Processes at a time; without it one per core. The answer is always the same.")
 @entry_option("Program to execute; without it the task's, or the main one.")
 @form_option("full", "json")
 @no_collisions_option
@@ -89,7 +89,7 @@ def command(
 ) -> None:
     """Look at every future of PROGRAM: all inputs, at every moment at which they matter.
 
-    Everything that the program reads from outside is free, unless an environment says what may
+    Whatever the program reads from outside may have any value, unless an environment says what may
     come. Exit status 1 when something can go wrong, 3 when not all futures could be looked at.
     """
     from vrts.cli.shared.cores import one_thread_each, workers_of

@@ -62,14 +62,18 @@ class _Span(NamedTuple):
 @click.command(name="run", epilog=EPILOG)
 @of_one_program(TASK_OR_ALONE)
 @scenario_option()
-@entry_option("Program of the file to execute; the main one, if not given.")
-@click.option("--at", "time_s", type=float, help="Print the state at a time in s, not the output.")
+@entry_option("Program to execute; without it the main one.")
+@click.option(
+    "--at", "time_s", type=float, help="Print the state at this time [s], not the output."
+)
 @click.option(
     "--statement", type=int, help="Print the state after so many statements; EXECUTE is the first."
 )
-@click.option("--from", "from_s", type=float, help="Tell what happens, from a time in s.")
-@click.option("--to", "to_s", type=float, help="Tell what happens, up to a time in s.")
-@click.option("--speed", type=float, help="Times as fast; negative is backward, 0 does not wait.")
+@click.option("--from", "from_s", type=float, help="List what happens from this time on [s].")
+@click.option("--to", "to_s", type=float, help="List what happens up to this time [s].")
+@click.option(
+    "--speed", type=float, help="How many times as fast; negative is backward, 0 does not wait."
+)
 @click.option("--csv", "table", help="Write a table of arm, tool and signals; `-` is stdout.")
 @click.option("--rate", type=float, default=50.0, show_default=True, help="Rows a second, in Hz.")
 @file_option("--mcap", help="Write the run as messages of ROS 2, for Foxglove and PlotJuggler.")
@@ -97,9 +101,9 @@ def command(
 ) -> None:
     """Run PROGRAM; what it TYPEs goes to stdout, everything else to stderr.
 
-    PROGRAM may be a run that `--save` wrote: it is asked, not executed again. --from, --to and
-    --speed tell the run line by line; on a terminal as fast as it happened, unless --speed is
-    given.
+    PROGRAM may be a run that `--save` wrote: it is read, and not executed again. --from, --to and
+    --speed list line by line what happened. On a terminal the lines come as fast as it happened,
+    unless you give --speed.
     """
     shows = [time_s is not None, statement is not None, table == STDOUT]
     shows.append(from_s is not None or to_s is not None or speed is not None)

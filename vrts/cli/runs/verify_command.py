@@ -63,14 +63,14 @@ Examples:
     "reader",
     type=click.Choice(["student", "grader"]),
     default="student",
-    help="Whom the page is for: a grader's has what is to be reviewed, and facts for an appeal.",
+    help="Who reads the page: a grader's page shows what to review, and facts for an appeal.",
 )
 @file_option("--record", help="Write a Rerun recording (.rrd).")
 @file_option("--mcap", help="Write the run as messages of ROS 2, for Foxglove and PlotJuggler.")
-@file_option("--certificate", help="Write what proves the collision check, for `check-proof`.")
+@file_option("--certificate", help="Write a certificate of the collision check, for `check-proof`.")
 @form_option("full", "json")
 @no_collisions_option
-@engine_option("Who proposes where parts are nearest; no answer depends on it.")
+@engine_option("Library that looks for the nearest parts; no answer depends on it.")
 @executed_so
 def command(
     program: str,
@@ -88,9 +88,9 @@ def command(
 ) -> None:
     """Run PROGRAM and check everything: collisions, limits, goals.
 
-    Takes the task.toml beside the program unless a scene or task is given, and the scenario.toml
-    beside the task unless a scenario is given. Exit status 1 when something is wrong, 3 when a
-    check cannot tell.
+    It takes the task.toml beside the program unless you give a scene or a task, and the
+    scenario.toml beside the task unless you give a scenario. Exit status 1 when something is wrong,
+    3 when a check cannot tell.
     """
     from vrts.cli.shared.cores import one_thread_each, workers_of
 

@@ -55,7 +55,9 @@ Examples:
 @task_option()
 @controller_option
 @click.option("--viewer", type=click.Choice(["browser", "rerun"]), default="browser")
-@click.option("--still", type=float, help="Draw one moment, in s, as a PNG picture instead.")
+@click.option(
+    "--still", type=float, help="Draw the moment at this time [s] as a PNG picture instead."
+)
 @file_option("-o", "--output", "target", help="File to write.")
 @no_open_option("Write the file (see -o), but open nothing.")
 @color_option

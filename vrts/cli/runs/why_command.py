@@ -27,14 +27,14 @@ Examples:
 @click.command(name="why", epilog=EPILOG)
 @of_one_program("Name or path of a scene: ask in it, without a mark.", packed=True)
 @scenario_option()
-@click.option("--at", "time_s", type=float, help="Why the arm does what it does at a time in s.")
-@click.option("--of", "name", help="Why a thing is where it is, or a variable what it is.")
+@click.option("--at", "time_s", type=float, help="Why the arm does what it does at this time [s].")
+@click.option("--of", "name", help="Why a thing is where it is, or why a variable has its value.")
 @click.option(
     "--for",
     "reader",
     type=click.Choice(["student", "grader"]),
     default="student",
-    help="Who asks: a student is told no more than the [hints] of the task allow.",
+    help="Who asks: a student learns no more than the [hints] of the task allow.",
 )
 @form_option("full", "json")
 @executed_so
@@ -48,10 +48,11 @@ def command(
     language: Language,
     color: str,
 ) -> None:
-    """Tell why points are lost: causes backward to the step that is to blame.
+    """Say why points are lost, with the causes back to the step that is to blame.
 
-    Of all losses, else of a time, a thing of the scene or a variable. A chain has at most five
-    lines, what came last first. Exit status 1 when something is wrong.
+    It explains all losses, or what you ask for: a time, a thing of the scene or a variable. A chain
+    of causes has at most five lines, and what came last comes first. Exit status 1 when something
+    is wrong.
     """
     from vrts.api.causes import chains_of
     from vrts.api.errors import VrtsError

@@ -23,7 +23,7 @@ ALONE = "Name or path of a scene; without it the robot stands alone."
 TASK_OR_ALONE = "Name or path of a scene; without it the task's, or the robot alone."
 IN_RUN = "What happens in the run: a scenario file."
 IN_CELL = "What happens in the cell: a scenario file."
-WITH_FILE = "Compile together with the programs and data of FILE."
+WITH_FILE = "Compile the programs and data of FILE, too."
 
 
 class Language(NamedTuple):
@@ -104,7 +104,7 @@ def with_option(says: str = WITH_FILE) -> Option[Any]:
 
 
 def engine_option(
-    says: str = "Who proposes where parts are nearest; no mark depends on it.",
+    says: str = "Library that looks for the nearest parts; no mark depends on it.",
 ) -> Option[Any]:
     """Return `--engine`."""
     return click.option("--engine", type=click.Choice(["coal", "fcl", "own"]), help=says)
@@ -115,7 +115,7 @@ def form_option(*forms: str) -> Option[Any]:
     return click.option("--format", "form", type=click.Choice(forms), default=forms[0])
 
 
-def overwrite_option(says: str = "Replace files that are there.") -> Option[Any]:
+def overwrite_option(says: str = "Replace files that exist already.") -> Option[Any]:
     """Return `--overwrite`."""
     return click.option("--overwrite", is_flag=True, help=says)
 
@@ -146,13 +146,13 @@ def language_options(function: Command) -> Command:
 
     command: Any = wrapped
     for option in (
-        click.option("--replace", is_flag=True, help="A later program of the same name counts."),
+        click.option("--replace", is_flag=True, help="Of programs of one name the last counts."),
         click.option(
             "--prec",
             type=click.Choice(["A", "B"]),
-            help="How operators bind: A as in VAL-II, B as in AS; otherwise as the dialect has it.",
+            help="Order of operators: A as in VAL-II, B as in AS; without it that of the dialect.",
         ),
-        dialect_option("Language of the family; auto looks at file name and content."),
+        dialect_option("Dialect of the program; auto looks at file name and content."),
         with_option(),
     ):
         command = option(command)

@@ -44,7 +44,7 @@ The calibration file says what was marked in one picture or more:
   tilt_deg = -10                 # up is positive
   zoom = 1
   seen_px = { corner = [512.3, 301.2], ... }
-Six marks or more, not all in one plane. The log of --views has the columns
+Six points or more, not all in one plane. The log of --views has the columns
 time_s, pan_deg, tilt_deg, zoom, as far as they change; time_s is 0 at the first frame.
 
 \b
@@ -60,7 +60,7 @@ Examples:
 @file_option(
     "--camera",
     required=True,
-    help="What was marked in calibration pictures: a TOML file.",
+    help="The points that you marked in calibration pictures: a TOML file.",
 )
 @file_option(
     "--frames",
@@ -69,10 +69,14 @@ Examples:
 @file_option("--views", help="Log of pan, tilt and zoom.")
 @click.option("--fps", type=click.FloatRange(0.01, 1000.0), help="Frames a second.")
 @click.option(
-    "--starts", type=float, default=0.0, show_default=True, help="Run time of the first frame, s."
+    "--starts",
+    type=float,
+    default=0.0,
+    show_default=True,
+    help="Time of the run at the first frame [s].",
 )
 @click.option(
-    "--stills", type=click.IntRange(1, 10_000), default=12, show_default=True, help="At most."
+    "--stills", type=click.IntRange(1, 10_000), default=12, show_default=True, help="Most stills."
 )
 @file_option("-o", "--output", help="Folder to write into.")
 @form_option("full", "json")
@@ -98,9 +102,9 @@ def command(
     """Draw the simulated robot over the frames of a real camera.
 
     Finds where the camera stands and how its lens sees from points that were marked in
-    calibration pictures; writes stills and a recording (.rrd) in which the virtual camera stands
-    where the real one does, turns and zooms with it, and runs in time with the frames. A mark that
-    was mistaken is named and left out. Exit status 1 when the others do not agree with one camera.
+    calibration pictures. Writes stills and a recording (.rrd) in which the virtual camera stands
+    where the real one does, turns and zooms with it, and runs in time with the frames. A point that
+    was marked wrongly is named and left out. Exit status 1 when the others do not fit one camera.
     """
     try:
         calibrated = _calibrated(camera, color)

@@ -42,17 +42,17 @@ The log: a table of text. Its first line names the columns, in any order:
   time_s                   or ms, or a time of day or date; any clock
   jt1_deg .. jt6_deg       joints as VAL counts them; also [rad]
   x_mm y_mm z_mm           the tool's tip in the robot's base frame; also [m]
-Joints or positions or both; units stand in the names, `JT1 [rad]` or `x_m`. Other
-columns are passed over. Commas, semicolons, tabs or blanks between values; decimal
+Joints or positions or both. The names tell the units: `JT1 [rad]` or `x_m`. Other
+columns are ignored. Commas, semicolons, tabs or blanks between values; decimal
 points or commas; lines that begin with # are comments; empty fields and nan are
 missing values. `vrts run PROGRAM --csv` writes such a table.
 
 \b
-Read as they are, too: CSV of RTDE (`actual_q_0`) and of PlotJuggler
+vrts also reads as they are: CSV of RTDE (`actual_q_0`) and of PlotJuggler
 (`/joint_states/joint_1/position`), bags of ROS 2 with joint states (.mcap, .db3, or
 their folder; needs vrts[ros]), arrays of MATLAB (`save -v7`; needs vrts[validate]).
-Other names: `--columns columns.toml`, with the names, units in brackets, and how
-the robot counts beside VAL:
+For other names give `--columns columns.toml`, with the names, units in brackets, and
+how the robot counts compared with VAL:
   time = "stamp [ms]"
   joints = ["a1 [rad]", "a2 [rad]", "a3 [rad]", "a4 [rad]", "a5 [rad]", "a6 [rad]"]
   position = ["px [m]", "py [m]", "pz [m]"]
@@ -88,14 +88,18 @@ OFFSETS = ("time", "base", "tool")
     help="Offsets to fit, with commas between: time, base, tool; or none.",
 )
 @click.option(
-    "--within", type=click.FloatRange(0.0), help="Exit with 1 if the tool is farther off, in mm."
+    "--within",
+    type=click.FloatRange(0.0),
+    help="Exit status 1 if the tool is farther off than this [mm].",
 )
 @file_option("--html", help="Write a report with figures.")
 @file_option("--record", help="Write a recording (.rrd).")
 @form_option("full", "json")
-@click.option("--fit", is_flag=True, help="Find out numbers of the robot; needs vrts[validate].")
+@click.option(
+    "--fit", is_flag=True, help="Find out speeds, acceleration and corners; needs vrts[validate]."
+)
 @click.option("--identify", is_flag=True, help="Name what is wrong with the robot.")
-@file_option("-o", "--output", help="With --fit or --identify: a lab to write.")
+@file_option("-o", "--output", help="With --fit or --identify: the lab to write.")
 @overwrite_option()
 @setting_options
 @language_options
@@ -121,13 +125,14 @@ def command(
 ) -> None:
     """Compare the log of a real robot with the run of PROGRAM.
 
-    Tells the errors of the path and of the joints and how late each motion was, before and after
-    the offsets were fitted. Positions are of the tool's tip in the frame of the robot's base.
-    With --fit the log tells speeds, acceleration and corners of the robot instead; the lab that it
-    writes takes the place of what was assumed. With --identify one sentence says first what is
-    wrong with the robot: joints, links, tool, base, clock, speeds or servos. `vrts validate
-    simulate --help` makes a log to practise with, `vrts validate camera --help` draws the simulated
-    robot over real pictures.
+    It prints the errors of the path and of the joints, and how late each motion was, before and
+    after fitting the offsets. Positions are those of the tool's tip in the frame of the robot's
+    base. With --fit it prints speeds, acceleration and corners of the robot instead, and writes
+    them into a lab, in place of what was assumed. With --identify the first sentence says what is
+    wrong with the robot: joints, links, tool, base, clock, speeds or servos.
+
+    `vrts validate simulate --help` makes a log to practise with, `vrts validate camera --help`
+    draws the simulated robot over real pictures.
     """
     os.environ.setdefault(
         "OPENBLAS_NUM_THREADS", "1"

@@ -30,7 +30,7 @@ def setting_options(function: Command) -> Command:
     for option in (
         controller_option,
         lab_option,
-        entry_option("Program of the file to execute; the main one."),
+        entry_option("Program to execute; without it the main one."),
         scenario_option("A scenario file."),
         scene_option(),
     ):

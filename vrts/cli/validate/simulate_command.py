@@ -49,7 +49,7 @@ def _several(name: str, count: int, words: str) -> Callable[[Command], Command]:
     type=click.FloatRange(0.0, 10.0),
     default=0.005,
     show_default=True,
-    help="A step of every encoder.",
+    help="The step of every encoder.",
 )
 @click.option(
     "--noise-deg",
@@ -64,32 +64,37 @@ def _several(name: str, count: int, words: str) -> Callable[[Command], Command]:
     nargs=3,
     default=(0.6, 0.8, 0.0),
     show_default=True,
-    help="X Y Z by which the base stands elsewhere.",
+    help="How far the base is out of place: X Y Z.",
 )
 @click.option(
     "--base-turn-deg",
     type=click.FloatRange(-45.0, 45.0),
     default=0.0,
     show_default=True,
-    help="By how much the base is turned about the vertical.",
+    help="How far the base is turned about the vertical.",
 )
-@_several("--zero-deg", 6, "By how much each joint stands off; its encoder shows it.")
-@_several("--link-mm", 4, "By how much a2 a3 d2 d4 of the arm are longer than in the scene.")
-@_several("--counted-link-mm", 4, "The same, of what the controller counts with.")
-@_several("--tool-mm", 3, "X Y Z by which the tool is off.")
+@_several("--zero-deg", 6, "How far each joint is off; its encoder shows it.")
+@_several("--link-mm", 4, "How much longer a2 a3 d2 d4 of the arm are than in the scene.")
+@_several("--counted-link-mm", 4, "The same for the lengths that the controller counts with.")
+@_several("--tool-mm", 3, "How far the tool is off: X Y Z.")
 @click.option(
     "--speeds-percent",
     type=click.FloatRange(10.0, LARGEST),
     default=100.0,
     show_default=True,
-    help="All speeds, of what the scene says.",
+    help="All speeds, in percent of what the scene says.",
 )
 @click.option(
-    "--rate-percent", type=click.FloatRange(-50.0, 50.0), default=0.0, help="How fast its clock is."
+    "--rate-percent",
+    type=click.FloatRange(-50.0, 50.0),
+    default=0.0,
+    help="How much too fast its clock is.",
 )
 @click.option("--clock-s", type=float, default=0.0, help="What its clock shows at the start.")
-@click.option("--seed", type=click.IntRange(0), default=1, show_default=True, help="Of the noise.")
-@overwrite_option("Replace a file that is there.")
+@click.option(
+    "--seed", type=click.IntRange(0), default=1, show_default=True, help="Seed of the noise."
+)
+@overwrite_option("Replace the file if it exists already.")
 @setting_options
 @language_options
 @color_option
@@ -118,9 +123,9 @@ def command(
 ) -> None:
     """Write the log that a robot with errors would make of PROGRAM. It is synthetic and says so.
 
-    A row every 28 ms: set points joined by straight lines, a servo that lags, encoders with steps,
-    noise, a base that stands a little elsewhere. The same seed gives the same bytes. With --lab the
-    robot has other speeds than the scene says: something for --fit or --identify to find out.
+    It has a row every 28 ms: set points joined by straight lines, a servo that lags, encoders with
+    steps, noise, a base that is a little out of place. The same seed gives the same bytes. With
+    --lab the robot has other speeds than the scene says: something for --fit or --identify to find.
     """
     from vrts.validate.synthetic import Imperfect, synthetic_log
 

@@ -16,7 +16,7 @@ def causes(rows: Sequence[Row], *, pages: bool) -> Markup | None:
         return None
     return element(
         "section",
-        element("h2", "What would earn the full mark, or more"),
+        element("h2", "Changes that would earn the full mark, or more points"),
         *(_group(cause, group, pages=pages) for cause, group in groups.items()),
         id="causes",
     )

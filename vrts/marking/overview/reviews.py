@@ -9,7 +9,7 @@ from vrts.report.page.html import Markup, element, prose
 
 FIRST = 12  # shown at once
 BETWEEN = (
-    "The mark as given is the higher one; it would be the lower one if all in doubt went wrong."
+    "The mark as given is the higher one. The lower one counts every doubt against the program."
 )
 
 

@@ -62,7 +62,7 @@ def table(rows: Sequence[Row], *, pages: bool) -> Markup:
             tabindex="0",
             aria_labelledby="all-head",
         ),
-        element("p", "Nothing fits the search.", id="none", hidden=True),
+        element("p", "Nothing matches the search.", id="none", hidden=True),
         id="all",
     )
 

@@ -56,7 +56,7 @@ def similarity_page(
 
 
 def _head(ranking: Ranking, title: str) -> Markup:
-    count = f"{ranking.compared} programs compared, each with each"
+    count = f"{ranking.compared} programs compared, each with all others"
     return element(
         "header",
         element("h1", f"Similarity: {one_line(title)}"),
@@ -129,7 +129,7 @@ def _side_by_side(
     return element(
         "section",
         element("h2", f"{number}: {_percent(pair.score)} alike", id=f"pair-{number}"),
-        element("p", ", ".join(what), ", what is rare in the class counting more.", class_="where"),
+        element("p", ", ".join(what), "; what is rare in the class counts more.", class_="where"),
         head,
         *blocks,
         _values(pair.values),
@@ -176,7 +176,7 @@ def _values(values: Sequence[SharedValue]) -> Markup | None:
         for value in values
     ]
     head = element("tr", *(element("th", text, scope="col") for text in heads))
-    caption = element("caption", "Identical taught values, those that few have first")
+    caption = element("caption", "Identical taught values, the rarest first")
     return element(
         "table", caption, element("thead", head), element("tbody", *rows), class_="values"
     )

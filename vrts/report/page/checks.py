@@ -150,9 +150,9 @@ def _range(grade: Grade | None) -> Markup | None:
         "p",
         "Lowest mark ",
         element("b", mark(low)),
-        ", if everything open went wrong; highest mark ",
+        ", if every open point counts against the program; highest mark ",
         element("b", mark(high)),
-        ", as given.",
+        ", the one that is given.",
         element("span", bar, class_="range", aria_hidden="true"),
     )
 

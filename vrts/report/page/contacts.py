@@ -123,7 +123,7 @@ def _close_calls(a: Assessment) -> Markup | None:
 def _threshold(report: CollisionReport) -> Markup | None:
     if not report.near_misses or report.near_miss_m is None:
         return None
-    said = "a value assumed; the task names none" if report.near_miss_assumed else "by the task"
+    said = "assumed, since the task names none" if report.near_miss_assumed else "as the task says"
     words = f"A near miss is nearer than {millimetres(report.near_miss_m):g} mm: {said}."
     return element("p", words, class_="when")
 

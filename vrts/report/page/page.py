@@ -32,7 +32,7 @@ NOT_MODELLED = """
 Motion is computed from geometry alone: no masses, forces, friction or motor limits other than \
 joint positions and speeds.
 The arm follows its planned motion exactly; the small errors of the real servos are not there.
-Contacts never push, bend or stop anything: after a contact the run goes on as planned, the real \
+Contacts never push, bend or stop anything: after a contact the run goes on as planned. The real \
 robot would not.
 A released object sinks straight down and stands or topples; it does not bounce, slip or roll.
 """

@@ -109,7 +109,7 @@ export class PointerPanel {
 
   /** A place that takes the arrow keys. @param {string} text @param {"base"|"tip"|"hand"|"turn"} end @param {string} said */
   pad(text, end, said) {
-    const keys = end === "turn" ? "Left and right turn" : "Arrows move level, Page Up and Down the height";
+    const keys = end === "turn" ? "Left and right turn" : "Arrows move it horizontally, Page Up and Down move it up and down";
     return make("button", {
       type: "button", class: "pointer-pad", "data-pad": end, "aria-label": `${said}: ${keys.toLowerCase()}`, title: keys,
       text: `⌨ ${text}`,
@@ -188,7 +188,7 @@ export class PointerPanel {
     this.turning.hidden = stage === 1;
     this.next.textContent = stage === 1 ? "Next" : "Back";
     write(this.hint, stage === 1
-      ? "Drag an end of the arrow: the ball moves it level, the blue axis up and down. The arrow slides along itself; the ghost hand takes all with it. A button with ⌨ takes the arrow keys once it is pressed."
+      ? "Drag an end of the arrow: the ball moves it horizontally, the blue axis up and down. Drag the arrow to slide it along itself, and the ghost hand to move everything. After you press a button with ⌨, the arrow keys move it."
       : "Drag the ring: the gripper turns about the arrow.");
   }
 

@@ -37,7 +37,7 @@ dark.addEventListener("change", () => viewer?.setTheme(theme()));
 bindControls(player, viewer, events, jump);
 bindKeys(player, events, jump);
 const program = document.getElementById("source");
-program?.setAttribute("title", "Double click on a line: go to when it is at work");
+program?.setAttribute("title", "Double-click a line to go to the time when it runs");
 program?.addEventListener("dblclick", (event) => {
   const line = /** @type {HTMLElement} */ (event.target).closest("li")?.id.slice(1);
   if (line) jumpToLine(Number(line));

@@ -192,7 +192,7 @@ def test_what_cannot_be_watched_is_told(monkeypatch: pytest.MonkeyPatch, tmp_pat
     runs = leaf_replays(request, found, scenarios_of(drawn, Environment(), tick_s), 24)
     given = whole.Explored("prog", "", None, found.proof, Environment(), tick_s, (), runs)
     page = futures_page(given)
-    said = re.search(r"Of (\d+) lines that end and go right (\d+) can be watched here", page)
+    said = re.search(r"Of (\d+) lines that end well you can watch (\d+) here", page)
     assert said is not None
     assert int(said[1]) == len(runs) > int(said[2]) == page.count('id="data') > 0
 

@@ -165,15 +165,15 @@ def _tree(explored: Explored, drawn: Sequence[Node], shown: Sequence[Shown]) -> 
     right = sum(bool(node.ends) and not node.marks for node in drawn)
     watched = sum(one.key.startswith("n") for one in shown)
     if watched < right:
-        kept += f" Of {right:,} lines that end and go right {watched:,} can be watched here;"
+        kept += f" Of {right:,} lines that end well you can watch {watched:,} here;"
         kept += " for the others there is the scenario."
     return element(
         "section",
         element("h2", "The tree of decisions"),
         element(
             "p",
-            "Time goes right. Each line is a future; a fork is something that came from outside. "
-            f"What is alike is one line with a number.{kept}",
+            "Time runs to the right. Each line is a future; a fork is something that came from "
+            f"outside. Futures that are alike are one line with a number.{kept}",
             class_="where",
         ),
         element("ul", *_keys(), class_="tree-keys"),
@@ -187,7 +187,7 @@ def _tree(explored: Explored, drawn: Sequence[Node], shown: Sequence[Shown]) -> 
         ),
         element(
             "div",
-            element("p", "Choose a line: its story and its scenario stand here then."),
+            element("p", "Choose a line to see its story and its scenario here."),
             id="chosen",
             class_="chosen",
             aria_live="polite",
@@ -234,7 +234,7 @@ def _told(
 def _end_of(node: Node) -> str:
     match node.ends:
         case "":
-            return "it goes on only in the futures that part from it"
+            return "it goes on only in the futures that branch off from it"
         case "merged":
             return f"at {node.end_s:.3f} s it is in a state that another future was in"
         case "open":

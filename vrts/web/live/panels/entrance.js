@@ -8,7 +8,7 @@ export function mountEntrance(toasts) {
   const title = make("h2", { id: "entrance-title" });
   const code = make("output", { class: "code" });
   const address = make("p", { class: "address" });
-  const picture = make("img", { class: "qr", alt: "QR code of the way in", hidden: true });
+  const picture = make("img", { class: "qr", alt: "QR code of the link", hidden: true });
   const copy = button("Copy the link", () => void copied());
   const close = button("Close", () => place.hidePopover());
   let url = "";
@@ -25,7 +25,7 @@ export function mountEntrance(toasts) {
     const known = answer.ok ? await answer.json() : { code: "", url: "" };
     write(code, known.code);
     show("Class code", known.url, known.code ? "/code.svg" : "");
-    write(address, known.code ? `at ${new URL(known.url).origin}` : "There is no class code: give links to the rooms.");
+    write(address, known.code ? `at ${new URL(known.url).origin}` : "There is no class code: hand out links to the rooms.");
   }
 
   /** Make a link that lets into one room only. @param {import("../protocol.js").RoomEntry} room */

@@ -11,7 +11,7 @@ export function mountLead({ store, connection, toasts }, entrance) {
     connection.send(type, fields) || toasts.warn("there is no connection at the moment");
 
   // --- the control right
-  const lock = button("Lock", () => told("lock", { on: !store.now.control.locked }), { id: "lead-lock", title: "Nobody gets control, and its holder moves nothing" });
+  const lock = button("Lock", () => told("lock", { on: !store.now.control.locked }), { id: "lead-lock", title: "Nobody gets control, and whoever has it cannot move anything" });
   const freeze = button("Freeze", () => told("freeze", { on: !store.now.control.frozen }), { id: "lead-freeze", title: "Stop the arm, and refuse all commands" });
   const chat = button("Chat off", () => told("set_chat", { on: !store.now.control.chat }), { id: "lead-chat", title: "Students still write to you privately" });
   const turn = make("input", { type: "number", id: "turn-s", title: "Longest turn while others wait; 0: no limit", min: "0", max: "86400", step: "10", required: true });
@@ -96,14 +96,14 @@ export function mountLead({ store, connection, toasts }, entrance) {
   panel.append(
     make("div", { class: "block first" }, make("h2", { text: "This room" }),
       make("div", { class: "row" }, button("Take control", () => told("hand_over", { person: store.now.you }), { title: "At once, before the queue" }),
-        button("Free control", () => told("hand_over", { person: "" }), { title: "Take it from who has it; the first in the queue is next" })), make("div", { class: "row" }, lock, freeze, chat), times,
+        button("Free control", () => told("hand_over", { person: "" }), { title: "Take it from the person who has it; the first in the queue is next" })), make("div", { class: "row" }, lock, freeze, chat), times,
       make("div", { class: "row" }, scene, begin)),
     make("div", { class: "block" }, make("h2", { text: "All rooms" }),
       make("div", { class: "row" }, button("Class code", () => void entrance.showCode()),
         make("a", { class: "button", href: "/?wall", text: "Wall", ...ELSEWHERE }), make("a", { class: "button", href: "/?projector", text: "Projector", ...ELSEWHERE })),
       make("div", { class: "row" }, button("Freeze all", () => told("freeze", { on: true, everywhere: true })), button("Unfreeze all", () => told("freeze", { on: false, everywhere: true }))),
       broadcast, rooms),
-    make("div", { class: "block" }, make("h2", { text: "New rooms" }), make("label", { for: "new-rooms", class: "soft", text: "One name a line" }), names,
+    make("div", { class: "block" }, make("h2", { text: "New rooms" }), make("label", { for: "new-rooms", class: "soft", text: "One name on each line" }), names,
       make("div", { class: "row" }, roomScene, build)),
   );
 }

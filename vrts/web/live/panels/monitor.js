@@ -27,7 +27,7 @@ export function mountMonitor({ store, act, command, toasts }) {
     const may = store.operator && store.now.connection === "open";
     field.disabled = !may;
     byId("terminal-interrupt").disabled = !may;
-    field.placeholder = may ? "WHERE, DO MOVE …, EXECUTE …  (Tab completes)" : "Only who has control types here";
+    field.placeholder = may ? "WHERE, DO MOVE …, EXECUTE …  (Tab completes)" : "Only the person with control types here";
   });
   byId("terminal-interrupt").addEventListener("click", () => act({ type: "interrupt" }));
 

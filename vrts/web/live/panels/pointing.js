@@ -39,7 +39,7 @@ export function mountPointing({ store, connection, world, command }) {
   });
 
   function may() {
-    const why = store.now.connection !== "open" ? "no connection" : store.operator ? "" : "only who has control may go there";
+    const why = store.now.connection !== "open" ? "no connection" : store.operator ? "" : "only the person with control can go there";
     pointer?.enable(!why, why);
   }
 }

@@ -56,7 +56,7 @@ export function mountPrograms({ store, connection, command, act, toasts }) {
       if (picked.size > 4 * LONGEST_PROGRAM) throw new Error(`${picked.name} is too long for a program`);
       const content = await picked.text();
       if (content.length > LONGEST_PROGRAM) throw new Error(`${picked.name} is too long for a program`);
-      if (/[\0\ufffd]/.test(content)) throw new Error(`${picked.name} is no text`);
+      if (/[\0\ufffd]/.test(content)) throw new Error(`${picked.name} is not a text file`);
       const done = await command({ type: "upload", name: picked.name.slice(0, 64), text: content });
       told(done.text, `${picked.name} is loaded`);
     } catch (error) {

@@ -56,7 +56,7 @@ export function mountTop({ store, connection, toasts, panic }) {
     byId("control-button").classList.toggle("main", !mine && !waits && !control.holder && !control.locked);
     if (mine !== had && performance.now() - asked > JUST_NOW && !alone) {
       if (mine) toasts.tell("you have control now");
-      else toasts.warn("you have control no longer: you did nothing for too long, your turn is over, or the supervisor took it");
+      else toasts.warn("you no longer have control: you did nothing for too long, your turn is over, or the supervisor took it");
     }
     had = mine;
     byId("panic").hidden = !mine && !supervisor;
