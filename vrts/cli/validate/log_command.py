@@ -131,8 +131,8 @@ def command(
     them into a lab, in place of what was assumed. With --identify the first sentence says what is
     wrong with the robot: joints, links, tool, base, clock, speeds or servos.
 
-    `vrts validate simulate --help` makes a log to practise with, `vrts validate camera --help`
-    draws the simulated robot over real pictures.
+    `vrts validate simulate` makes a log to practise with, and `vrts validate camera` draws the
+    simulated robot over real pictures; each has its own `--help`.
     """
     os.environ.setdefault(
         "OPENBLAS_NUM_THREADS", "1"
