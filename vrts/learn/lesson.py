@@ -74,6 +74,7 @@ class Lesson(NamedTuple):
     title: str
     about: str  # one sentence
     steps: tuple[Step, ...]
+    files: tuple[str, ...] = ()  # what a copy holds: names inside its folder, or patterns of them
 
     @property
     def minutes(self) -> int:

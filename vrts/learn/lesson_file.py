@@ -4,6 +4,7 @@
     number = 1
     title = "Cans on bases"
     about = "Two cans change places with two bases."
+    files = ["README.md", "pictures/*.png"]  # what `vrts learn` copies, beside this file
 
     [[step]]
     title = "Let it run"
@@ -22,7 +23,8 @@
     [step.marked]                           # or: folder, rows
     [step.log]                              # or: program, log, scene, lab, within_mm, beyond_mm
 
-Each step has one of these five tables. Names of files stay inside the lesson's folder.
+Each step has one of these five tables. Names of files stay inside the lesson's folder; `scene`
+may be the name of one that comes with vrts, too.
 """
 
 from pathlib import Path, PurePosixPath
@@ -42,7 +44,7 @@ from vrts.learn.lesson import (
     Wish,
 )
 from vrts.learn.standing import LESSON_FILE
-from vrts.pipeline.files import read_toml_source
+from vrts.pipeline.files import STDIN, read_toml_source
 from vrts.pipeline.refused import Refused
 
 BAD_STEP = Rule("V696", "lesson-step")
@@ -84,6 +86,7 @@ def read_lesson(source: SourceFile) -> Lesson:
             head.string("title", required=True) or "",
             head.string("about", ""),
             steps,
+            _files(head),
         )
         head.finish()
     top.finish()
@@ -131,7 +134,7 @@ def _wish(kind: str, table: Table) -> Wish | None:
         folder, rows = _name(table, "folder"), table.integer("rows", 1, minimum=1)
         return None if folder is None else MarkedWish(folder, rows)
     program, log = _name(table, "program"), _name(table, "log")
-    scene, lab = table.string("scene"), _name(table, "lab", required=False)
+    scene, lab = (_name(table, key, required=False) for key in ("scene", "lab"))
     within, beyond = table.number("within_mm", above=0.0), table.number("beyond_mm", above=0.0)
     if program is None or log is None:
         return None
@@ -142,7 +145,7 @@ def _wish(kind: str, table: Table) -> Wish | None:
 def _program(table: Table) -> ProgramWish | None:
     wish = ProgramWish(
         file=_name(table, "file") or "",
-        scene=table.string("scene"),
+        scene=_name(table, "scene", required=False),
         teaches=table.strings("teaches") or (),
         own_places=table.integer("own_places", 0, minimum=0),
         holds=table.string("holds"),
@@ -157,12 +160,21 @@ def _program(table: Table) -> ProgramWish | None:
 def _name(table: Table, key: str, *, required: bool = True) -> str | None:
     """Return the name of a file inside the lesson's folder."""
     name = table.string(key, required=True) if required else table.string(key)
-    if name is None:
-        return None
+    return None if name is None or _leads_out(table, key, name) else name
+
+
+def _files(table: Table) -> tuple[str, ...]:
+    names = table.strings("files") or ()
+    return tuple(name for name in names if not _leads_out(table, "files", name))
+
+
+def _leads_out(table: Table, key: str, name: str) -> bool:
+    """Return whether a name is of nothing inside the lesson's folder, and say so."""
     path = PurePosixPath(name)
-    if path.is_absolute() or ".." in path.parts or "\\" in name or not path.parts:
-        table.problems.error(
-            BAD_STEP, f"`{key}` leads out of the lesson's folder", table.value_span(key)
-        )
-        return None
-    return name
+    inside = path.parts and not path.is_absolute() and ".." not in path.parts
+    if inside and "\\" not in name and name != STDIN:
+        return False
+    table.problems.error(
+        BAD_STEP, f"`{key}` leads out of the lesson's folder", table.value_span(key)
+    )
+    return True

@@ -1,8 +1,8 @@
 """The lessons that come with vrts, and copies of them."""
 
+import os
 import secrets
 import shutil
-import stat
 from pathlib import Path
 from typing import NamedTuple
 
@@ -10,8 +10,6 @@ from vrts.learn.lesson import Lesson
 from vrts.learn.lesson_file import load_lesson
 from vrts.learn.standing import LESSON_FILE
 from vrts.pipeline.files import CannotRead, library_folders
-
-NOT_COPIED = ("expected.json", "__pycache__")  # what tests of vrts read
 
 
 class Bundled(NamedTuple):
@@ -46,21 +44,28 @@ def find_lesson(name: str) -> Bundled:
 
 
 def copy_lesson(one: Bundled, target: Path) -> None:
-    """Copy the folder of a lesson to a new place, whole or not at all.
+    """Copy the files of a lesson to a new place, whole or not at all.
+
+    What somebody has made in its folder stays behind, and what only tests of vrts read.
 
     Raises:
-        CannotRead: Something is there already.
+        CannotRead: Something is there already, or the place is inside the lesson itself.
         OSError: It cannot be written.
     """
     if target.exists() or target.is_symlink():
         hint = f"`cd {target}` and `vrts learn next` go on with it; `-o` names another folder"
         raise CannotRead(f"`{target}` is there already, and nothing is overwritten", (hint,))
+    if Path(os.path.realpath(target)).is_relative_to(os.path.realpath(one.folder)):
+        hint = "go to another folder first, or name one with `-o`"
+        raise CannotRead(f"`{target}` is inside the lesson itself", (hint,))
     target.parent.mkdir(parents=True, exist_ok=True)
     draft = target.with_name(f".{secrets.token_hex(8)}.part")
     try:
-        shutil.copytree(one.folder, draft, ignore=shutil.ignore_patterns(*NOT_COPIED))
-        for path in (draft, *draft.rglob("*")):
-            path.chmod(path.stat().st_mode | stat.S_IWUSR)  # an installed package may be read-only
+        for pattern in (LESSON_FILE, *one.lesson.files):
+            for path in sorted(one.folder.glob(pattern)):
+                copy = draft / path.relative_to(one.folder)
+                copy.parent.mkdir(parents=True, exist_ok=True)
+                shutil.copyfile(path, copy)  # not its mode: an installed package may be read-only
         draft.rename(target)
     finally:
         shutil.rmtree(draft, ignore_errors=True)

@@ -4,6 +4,7 @@ Whatever is executed goes through `pipeline.assess`, as `vrts verify` does it, w
 Each program is executed once in each setting, however many steps look at it.
 """
 
+import os
 from collections.abc import Callable
 from pathlib import Path
 
@@ -63,6 +64,7 @@ class Looking:
         match wish:
             case ProgramWish():
                 path = self._inside(wish.file)
+                self._scene_inside(wish.scene, wish.file)
                 return look_at_program(wish, lambda: self._assessed(path, wish.scene), path)
             case AssignmentWish():
                 return self._assignment(wish)
@@ -71,18 +73,33 @@ class Looking:
             case MarkedWish():
                 return self._marked(wish)
             case LogWish():
+                self._scene_inside(wish.scene, wish.program)
                 return look_at_log(wish, self._inside)
 
     def _inside(self, name: str) -> Path:
-        """Return the place of a file; a link must not lead out of the folder.
+        """Return the place of a file; a link leads to something in the folder.
 
         Raises:
-            CannotRead: It does.
+            CannotRead: It leads out or nowhere, or no file can have such a name.
         """
         place = named_place(self.folder, name)
-        if not place.resolve().is_relative_to(self.folder.resolve()):
+        really = Path(os.path.realpath(place))  # `resolve` fails at links in a circle
+        if not really.is_relative_to(os.path.realpath(self.folder)):
             raise CannotRead(f"`{name}` leads out of the lesson's folder")
+        if place.is_symlink() and not place.exists():
+            raise CannotRead(f"`{name}` is a link that leads nowhere")
         return place
+
+    def _scene_inside(self, name: str | None, program: str) -> None:
+        """Look where a scene leads that lies in the folder, or beside a program in it.
+
+        Raises:
+            CannotRead: As for `_inside`.
+        """
+        if name is not None:
+            for beside in (Path(), Path(program).parent):
+                self._inside(str(beside / name))
+                self._inside(str(beside / name / SCENE_FILE))
 
     def _assessed(self, path: Path, scene: str | None) -> Assessment:
         key = (str(path), scene)
@@ -94,6 +111,8 @@ class Looking:
         folder = self._inside(wish.folder)
         if not folder.is_dir():
             return not_there(wish.folder, "folder")
+        for name in (SCENE_FILE, TASK_FILE):
+            self._inside(f"{wish.folder}/{name}")
         scene = load_scene(SCENE_FILE, folder)
         named = {body.name for body in scene.scene.bodies}
         missing = [name for name in wish.objects if name not in named]
@@ -124,14 +143,14 @@ class Looking:
         return mark_reached(found, wish.mark)
 
     def _marked(self, wish: MarkedWish) -> Answer:
-        results = Layout(self._inside(wish.folder)).results
+        self._inside(wish.folder)
+        results = self._inside(str(Layout(Path(wish.folder)).results))
         if not results.is_file():
             return not_there(wish.folder, "folder of marks")
-        data = read_bytes(results)
-        if len(data) > LARGEST_RESULTS:
+        if results.stat().st_size > LARGEST_RESULTS:
             return Answer(done=False, why=f"`{results.name}` is too large")
         try:
-            rows = class_from_bytes(data).rows
+            rows = class_from_bytes(read_bytes(results)).rows
         except Damaged:
             return Answer(done=False, why=f"`{wish.folder}` holds no marks that vrts wrote")
         if len(rows) < wish.rows:

@@ -36,6 +36,8 @@ _EASIER = {
     "ATTACH": "ATTACH (0)",
     "DETACH": "DETACH (0)",
     "WRITE": 'WRITE (4) "text"',
+    "ON": "ON 1001 CALL program, 5",  # in the form, `priority` is read as a function
+    "ONI": "ONI 1001 CALL program, 5",
 }
 _QUALIFIERS = {
     "ALWAYS": "SPEED 50 ALWAYS",

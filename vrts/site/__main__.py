@@ -9,11 +9,11 @@ import tempfile
 from pathlib import Path
 
 from vrts.site.build import NotBuilt, build
-from vrts.site.made_of import NOTE, faults_of, is_made_of, made_of, note_down
+from vrts.site.made_of import FIRST, MAN, NOTE, faults_of, is_made_of, made_of, note_down
+from vrts.site.placing import put_in_place
 
 ROOT = Path(__file__).parents[2]
 BUILT = Path(__file__).parent / "built"
-MAN = "man"  # a folder within `built`
 
 
 def main(arguments: list[str]) -> int:
@@ -36,9 +36,8 @@ def main(arguments: list[str]) -> int:
             shutil.copytree(site, html, ignore=shutil.ignore_patterns(MAN, NOTE))
             shutil.copytree(site / MAN, man)
         elif site != BUILT:
-            shutil.rmtree(BUILT, ignore_errors=True)
-            shutil.copytree(site, BUILT)
-            sys.stdout.write(f"{BUILT / 'index.html'}\n")
+            put_in_place(site, BUILT)
+            sys.stdout.write(f"{BUILT / FIRST}\n")
     return 0
 
 

@@ -6,6 +6,7 @@ _TABLE = re.compile(r"<table\b.*?</table>", re.S)
 _EMPTY_HEAD = re.compile(r'<th class="head">\s*(?:<p>\s*</p>)?\s*</th>')
 _HEAD = re.compile(r"<thead>.*?</thead>\s*", re.S)
 _FIRST_CELL = re.compile(r'(<tr class="row-(?:odd|even)">\s*)<td>(.*?)</td>', re.S)
+_HALF = "queryLower.length >= title.length / 2"  # a condition of Sphinx's search
 _LANDMARKS = (
     ('<aside class="sidebar-drawer">', '<aside class="sidebar-drawer" aria-label="All pages">'),
     ('<aside class="toc-drawer">', '<aside class="toc-drawer" aria-label="This page">'),
@@ -24,10 +25,14 @@ def finding_beginnings(script: str) -> str:
     """Return Sphinx's search such that `V301` finds the section `V301 out-of-reach`, too.
 
     Sphinx leaves out titles that are more than twice as long as what was typed.
+
+    Raises:
+        ValueError: The script is another one: there is nothing to replace.
     """
-    half = "queryLower.length >= title.length / 2"
+    if _HALF not in script:
+        raise ValueError(f"there is no `{_HALF}` in the search of this Sphinx")
     begins = 'title.toLowerCase().startsWith(queryLower + " ")'
-    return script.replace(half, f"({half} || {begins})")
+    return script.replace(_HALF, f"({_HALF} || {begins})")
 
 
 def _table(table: str) -> str:

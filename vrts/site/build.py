@@ -23,6 +23,7 @@ from vrts.site.generated.word_pages import word_pages
 
 PICTURE = re.compile(r"\]\((?:\.\./)+examples/([\w-]+/pictures/[\w.-]+)\)")
 COLOUR = re.compile(r"\x1b\[[0-9;]*m")
+SEARCH = "_static/searchtools.js"
 NOT_NEEDED = (".buildinfo", "objects.inv", ".doctrees")
 
 
@@ -33,8 +34,8 @@ class NotBuilt(Exception):  # noqa: N818 -- names the situation
 def build(root: Path, html: Path, man: Path) -> str:
     """Build the site and the man pages; return what Sphinx finds wrong with them, a line each.
 
-    A fault - a link that leads nowhere, a table that is none - spoils its place and nothing else.
-    So it stops no installation; a test fails.
+    A fault - a link that leads nowhere, a table that is none, a search that cannot be mended -
+    spoils its place and nothing else. So it stops no installation; a test fails.
 
     Args:
         root: Folder with `pyproject.toml`.
@@ -54,12 +55,21 @@ def build(root: Path, html: Path, man: Path) -> str:
             faults |= dict.fromkeys(said.splitlines())
             for page in out.rglob("*.html"):
                 page.write_text(accessible(page.read_text("utf-8")), "utf-8")
-            for script in out.glob("_static/searchtools.js"):
-                script.write_text(finding_beginnings(script.read_text("utf-8")), "utf-8")
+            if builder == "html":
+                faults |= dict.fromkeys(mend_search(out / SEARCH))
             for left in NOT_NEEDED:
                 (out / left).unlink(missing_ok=True)
             shutil.copytree(out, name, dirs_exist_ok=True)
     return "\n".join(faults)
+
+
+def mend_search(script: Path) -> list[str]:
+    """Let Sphinx's search find beginnings of titles, too; return why it cannot be done."""
+    try:
+        script.write_text(finding_beginnings(script.read_text("utf-8")), "utf-8")
+    except (OSError, ValueError) as problem:
+        return [f"{SEARCH}: {problem}"]
+    return []
 
 
 def write_sources(root: Path, source: Path) -> None:

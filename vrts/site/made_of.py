@@ -5,17 +5,19 @@ from collections.abc import Iterator
 from importlib.metadata import version
 from pathlib import Path
 
-NOTE = "made-of.txt"  # beside the built pages
+NOTE = "made-of.txt"  # beside the built pages, written when all else is there
+MAN = "man"  # a folder within `built`
+FIRST = "index.html"
 _FOLDERS = ("vrts", "examples", "tests/spec")
-_SUFFIXES = {".py", ".md", ".css", ".js", ".toml", ".lark", ".png", ".svg", ".json"}
+_SUFFIXES = {".py", ".pyi", ".md", ".css", ".js", ".toml", ".lark", ".png", ".svg", ".json"}
 _OURS = {"built", "man", "vendor", "__pycache__"}  # folders that are not looked into
-_TOOLS = ("sphinx", "furo", "myst-parser", "pygments", "docutils", "click")
+TOOLS = ("sphinx", "furo", "myst-parser", "pygments", "docutils", "click", "lark", "msgspec")
 
 
 def made_of(root: Path) -> str:
     """Return a digest of every text and every tool that the manual is built from."""
     digest = hashlib.sha256()
-    for tool in _TOOLS:
+    for tool in TOOLS:
         digest.update(f"{tool} {version(tool)}\n".encode())
     for path in _inputs(root):
         digest.update(f"{path.relative_to(root).as_posix()}\n".encode())
@@ -24,9 +26,10 @@ def made_of(root: Path) -> str:
 
 
 def is_made_of(built: Path, digest: str) -> bool:
-    """Return whether a folder holds what was built from these texts."""
+    """Return whether a folder holds all of what was built from these texts."""
     note = built / NOTE
-    return note.is_file() and note.read_text("utf-8").partition("\n")[0] == digest
+    whole = note.is_file() and (built / FIRST).is_file() and (built / MAN).is_dir()
+    return whole and note.read_text("utf-8").partition("\n")[0] == digest
 
 
 def faults_of(built: Path) -> str:

@@ -2,6 +2,7 @@
 
 import re
 import shutil
+import subprocess
 from fractions import Fraction
 from pathlib import Path
 
@@ -10,12 +11,14 @@ import pytest
 from tests.places import ROOT
 from tests.support_commands import vrts_text
 from vrts.base.source import SourceFile
-from vrts.learn.lesson import ProgramWish
+from vrts.learn.lesson import DONE, AssignmentWish, LogWish, MarkedWish, ProgramWish
 from vrts.learn.lesson_file import load_lesson, read_lesson
-from vrts.learn.library import bundled, copy_lesson, find_lesson
-from vrts.learn.looking import Looking
+from vrts.learn.library import Bundled, bundled, copy_lesson, find_lesson
+from vrts.learn.looking import LARGEST_RESULTS, Looking
 from vrts.learn.progress import progress
 from vrts.learn.told import progress_text
+from vrts.marking.layout import Layout
+from vrts.marking.row import Class, class_to_bytes
 from vrts.pipeline.files import CannotRead
 from vrts.pipeline.refused import Refused
 
@@ -43,6 +46,15 @@ def test_the_six_lessons_are_bundled_in_their_order_with_steps_of_minutes() -> N
             assert step.tries, step.title
             assert all(command.split()[0] in {"vrts", "cp"} for command in step.tries)
             assert step.part in headings or re.fullmatch(r"\d (?:to|and) \d", step.part), step.part
+
+
+def test_the_page_of_the_lessons_lists_them_with_their_numbers_and_minutes() -> None:
+    page = (ROOT / "vrts" / "manual" / "learn" / "lessons.md").read_text("utf-8")
+    rows = re.findall(r"^\| (\d+) ([^|]+) \| [^|]+ \| (\d+) \|$", page, re.M)
+    lessons = [one.lesson for one in bundled()]
+    assert rows == [(str(one.number), one.title, str(one.minutes)) for one in lessons]
+    assert len(rows) == 6
+    assert "Six lessons come with vrts." in page
 
 
 def test_steps_of_the_first_lesson_are_short() -> None:
@@ -79,6 +91,56 @@ def test_a_lesson_is_copied_whole_and_never_over_anything(tmp_path: Path) -> Non
     assert (tmp_path / "a" / "b" / "lesson.toml").is_file()
     with pytest.raises(CannotRead, match="is there already"):
         copy_lesson(find_lesson("1"), tmp_path / "a")
+
+
+def a_clone(tmp_path: Path) -> Bundled:
+    """Return a lesson in a folder that a test may write into."""
+    found = find_lesson("1")
+    folder = tmp_path / "clone" / found.folder.name
+    for pattern in ("*", "pictures/*", "submissions/*.v2"):
+        for path in found.folder.glob(pattern):
+            if path.is_file():
+                copy = folder / path.relative_to(found.folder)
+                copy.parent.mkdir(parents=True, exist_ok=True)
+                shutil.copy(path, copy)
+    return Bundled(load_lesson(folder), folder)
+
+
+def names(folder: Path) -> set[str]:
+    return {path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file()}
+
+
+def test_what_somebody_has_made_in_the_folder_of_a_lesson_is_not_copied(tmp_path: Path) -> None:
+    clone = a_clone(tmp_path)
+    belongs = names(clone.folder) - {"expected.json"}
+    for made in ("mine.v2", "mine.log", "out/staff/results.json", "submissions/lesson1/mine.v2"):
+        (clone.folder / made).parent.mkdir(parents=True, exist_ok=True)
+        (clone.folder / made).write_text("")
+    copy_lesson(clone, tmp_path / "copy")
+    assert names(tmp_path / "copy") == belongs
+
+
+@pytest.mark.parametrize("number", [1, 2, 3, 4, 5, 7])
+def test_all_that_belongs_to_a_lesson_is_copied(number: int, tmp_path: Path) -> None:
+    found = find_lesson(str(number))
+    asked = subprocess.run(
+        ["git", "ls-files"], capture_output=True, text=True, check=False, cwd=found.folder
+    )
+    if asked.returncode != 0 or not asked.stdout:
+        pytest.skip("this folder is no checkout")
+    copy_lesson(found, tmp_path / "copy")
+    assert names(tmp_path / "copy") == set(asked.stdout.splitlines()) - {"expected.json"}
+
+
+@pytest.mark.parametrize("where", ["01-cans-on-bases", "submissions/01-cans-on-bases"])
+def test_a_lesson_is_not_copied_into_itself(where: str, tmp_path: Path) -> None:
+    clone = a_clone(tmp_path)
+    before = names(clone.folder)
+    (tmp_path / "link").symlink_to(clone.folder)
+    for target in (clone.folder / where, tmp_path / "link" / where):
+        with pytest.raises(CannotRead, match="is inside the lesson itself"):
+            copy_lesson(clone, target)
+    assert names(clone.folder) == before
 
 
 @pytest.mark.parametrize(
@@ -164,6 +226,9 @@ def test_a_place_that_the_arm_cannot_reach_is_no_place_of_your_own(tmp_path: Pat
     assert found.answer.why == "the arm cannot reach `far`"
 
 
+OUT = "`scene` leads out of the lesson's folder"
+
+
 @pytest.mark.parametrize(
     ("steps", "says"),
     [
@@ -172,6 +237,11 @@ def test_a_place_that_the_arm_cannot_reach_is_no_place_of_your_own(tmp_path: Pat
         (STEP + '[step.program]\nfile = "../a.v2"\n', "`file` leads out of the lesson's folder"),
         (STEP + '[step.program]\nfile = "/etc/passwd"\n', "`file` leads out"),
         (STEP + '[step.program]\nfile = "a.v2"\nmrak = 3\n', "mrak"),
+        (STEP + '[step.program]\nfile = "a.v2"\nscene = "../../x/scene.toml"\n', OUT),
+        (STEP + '[step.program]\nfile = "a.v2"\nscene = "/x/scene.toml"\n', OUT),
+        (STEP + '[step.program]\nfile = "a.v2"\nscene = "-"\n', OUT),
+        (STEP + '[step.log]\nprogram = "a.v2"\nlog = "a.csv"\nscene = "../scene.toml"\n', OUT),
+        ('files = ["../x"]\n' + STEP + '[step.program]\nfile = "a.v2"\n', "`files` leads out"),
         ((STEP + '[step.program]\nfile = "a.v2"\n') * 41, "at most 40 steps"),
         ("", "step"),
     ],
@@ -192,11 +262,88 @@ def test_a_link_out_of_the_folder_is_not_followed(tmp_path: Path) -> None:
     assert answer.why == "`mine.v2` leads out of the lesson's folder"
 
 
+@pytest.mark.parametrize("scene", ["cell", "cell/scene.toml", "programs/cell"])
+def test_a_scene_behind_a_link_out_of_the_folder_is_not_read(scene: str, tmp_path: Path) -> None:
+    lesson = tmp_path / "lesson"
+    (lesson / "programs").mkdir(parents=True)
+    shutil.copytree(ROOT / "scenes" / "cans-on-bases", tmp_path / "cell")
+    (lesson / "programs" / "mine.v2").write_text(program(""))
+    for name in ("cell", "programs/cell"):
+        (lesson / name).symlink_to(tmp_path / "cell")
+    for wish in (
+        ProgramWish("programs/mine.v2", scene=scene),
+        ProgramWish("programs/mine.v2", scene="cell"),
+        LogWish("programs/mine.v2", "programs/mine.v2", scene=scene),
+    ):
+        answer = Looking(lesson).at(wish)
+        assert not answer.done
+        assert answer.why.endswith("leads out of the lesson's folder")
+
+
+@pytest.mark.parametrize("scene", ["cans-on-bases", "cell", "cell/scene.toml"])
+def test_a_scene_in_the_folder_or_one_of_vrts_is_taken(scene: str, tmp_path: Path) -> None:
+    shutil.copytree(ROOT / "scenes" / "cans-on-bases", tmp_path / "cell")
+    (tmp_path / "mine.v2").write_text(program(""))
+    answer = Looking(tmp_path).at(ProgramWish("mine.v2", scene=scene, teaches=("can1_grip",)))
+    assert answer == DONE
+
+
+def test_marks_behind_a_link_out_of_the_folder_are_not_read(tmp_path: Path) -> None:
+    marks = Layout(tmp_path / "lesson" / "out").results
+    marks.parent.mkdir(parents=True)
+    outside = tmp_path / "results.json"
+    outside.write_bytes(class_to_bytes(Class("vrts.class/1", "Group 3", ())))
+    marks.symlink_to(outside)
+    looking = Looking(tmp_path / "lesson")
+    answer = looking.at(MarkedWish("out", rows=0))
+    assert answer.why == "`out/staff/results.json` leads out of the lesson's folder"
+    marks.unlink()
+    outside.rename(marks)
+    assert looking.at(MarkedWish("out", rows=0)) == DONE
+
+
+def test_marks_that_are_too_large_are_not_read(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    marks = Layout(tmp_path / "out").results
+    marks.parent.mkdir(parents=True)
+    with marks.open("wb") as file:
+        file.truncate(LARGEST_RESULTS + 1)  # a hole: it takes no room
+    monkeypatch.delattr("vrts.learn.looking.read_bytes")
+    answer = Looking(tmp_path).at(MarkedWish("out", rows=1))
+    assert answer.why == "`results.json` is too large"
+
+
+def test_a_scene_of_an_assignment_behind_a_link_is_not_read(tmp_path: Path) -> None:
+    folder = tmp_path / "lesson" / "pallet"
+    folder.mkdir(parents=True)
+    (folder / "scene.toml").symlink_to(ROOT / "scenes" / "cans-on-bases" / "scene.toml")
+    answer = Looking(tmp_path / "lesson").at(AssignmentWish("pallet", task=False))
+    assert answer.why == "`pallet/scene.toml` leads out of the lesson's folder"
+
+
+def test_names_that_lead_to_no_file_are_told_in_one_sentence(tmp_path: Path) -> None:
+    (tmp_path / "mine.v2").symlink_to("mine.v2")
+    (tmp_path / "lost.v2").symlink_to("gone.v2")
+    for name, why in (
+        ("mine.v2", "`mine.v2` is a link that leads nowhere"),
+        ("lost.v2", "`lost.v2` is a link that leads nowhere"),
+        ("a\0.v2", "`a\0.v2` is no name of a file"),
+    ):
+        assert Looking(tmp_path).at(ProgramWish(name)).why == why
+    assert Looking(tmp_path).at(MarkedWish("mine.v2", rows=1)).why == (
+        "`mine.v2` is a link that leads nowhere"
+    )
+
+
 def test_an_endless_program_ends_the_look_as_it_ends_verify(tmp_path: Path) -> None:
     copy_lesson(find_lesson("1"), tmp_path / "lesson")
     shutil.copy(EXAMPLE / "submissions" / "endless-loop.v2", tmp_path / "lesson" / "mine.v2")
     wish = ProgramWish("mine.v2", mark=Fraction(10))
-    assert not Looking(tmp_path / "lesson").at(wish).done
+    answer = Looking(tmp_path / "lesson").at(wish)
+    assert not answer.done
+    assert "this loop never ends: it repeats its state" in answer.why
+    assert answer.hint == "line 6: nothing in the loop changes `n`"
 
 
 def test_names_that_steer_a_terminal_are_shown_harmless(tmp_path: Path) -> None:

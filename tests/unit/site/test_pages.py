@@ -4,6 +4,7 @@ from pathlib import Path
 
 import click
 import pytest
+from markdown_it import MarkdownIt
 
 from tests.places import ROOT
 from vrts.cli.main import vrts
@@ -11,7 +12,7 @@ from vrts.cli.schema_command import command as schema_command
 from vrts.site.generated.assumptions_page import assumptions_page
 from vrts.site.generated.command_pages import command_pages, prose
 from vrts.site.generated.lessons import LIST, lesson, write_lessons
-from vrts.site.generated.markdown import anchor, block, code, text
+from vrts.site.generated.markdown import anchor, block, code, table, text
 from vrts.site.generated.message_pages import message_pages
 from vrts.site.generated.python_page import docstring, python_page
 from vrts.site.generated.schema_pages import schema_names, schema_page, schema_pages
@@ -236,6 +237,12 @@ def test_every_example_is_a_lesson_with_its_pictures(tmp_path: Path) -> None:
 def test_signs_mean_nothing_in_plain_words() -> None:
     assert text("a_b *c* [d] <e>") == r"a\_b \*c\* \[d\] \<e\>"
     assert text("see `a_b` and `c`") == "see `a_b` and `c`"
-    assert code("a|b") == "`a\\|b`"
+    assert code("a|b") == "`a|b`"
     assert block("text", "```\nx\n```") == "````text\n```\nx\n```\n````\n"
     assert anchor("word", "function", "$MID") == "word-function-text-mid"
+
+
+def test_a_bar_in_a_cell_ends_no_cell() -> None:
+    rows = table(("h", "i"), [(code("a|b"), text("c|d"))])
+    html = MarkdownIt().enable("table").render(rows)
+    assert "<td><code>a|b</code></td>\n<td>c|d</td>\n</tr>" in html

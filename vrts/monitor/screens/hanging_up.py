@@ -10,10 +10,12 @@ from contextlib import contextmanager
 def hang_up(end: Callable[[], None]) -> Generator[None]:
     """Call something when the terminal hangs up, instead of ending at once.
 
-    Only inside a running event loop; where the system knows no hang-up, nothing is done.
+    Only inside a running event loop. Where the system knows no hang-up, or whoever started this
+    wants it to go on after one (`nohup`), nothing is done. What was there before is put back.
     """
     number = getattr(signal, "SIGHUP", None)
-    if number is None:
+    before = None if number is None else signal.getsignal(number)
+    if number is None or before is signal.SIG_IGN:
         yield
         return
     loop = asyncio.get_running_loop()
@@ -22,3 +24,5 @@ def hang_up(end: Callable[[], None]) -> Generator[None]:
         yield
     finally:
         loop.remove_signal_handler(number)
+        if before is not None:  # None: it was not set by Python, and cannot be put back
+            signal.signal(number, before)

@@ -16,16 +16,18 @@ def text(words: str) -> str:
 
 
 def code(words: str) -> str:
-    """Return words as code within a line, also within a table."""
+    """Return words as code within a line."""
     ticks = "``" if "`" in words else "`"
     pad = " " if "`" in words else ""
-    return f"{ticks}{pad}{words}{pad}{ticks}".replace("|", "\\|") if words else ""
+    return f"{ticks}{pad}{words}{pad}{ticks}" if words else ""
 
 
 def table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
-    """Return a table whose cells are Markdown already."""
+    """Return a table whose cells are Markdown already; a bar in a cell ends no cell."""
     lines = [head, ["---"] * len(head), *rows]
-    return "".join("| " + " | ".join(cells) + " |\n" for cells in lines)
+    return "".join(
+        "| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |\n" for cells in lines
+    )
 
 
 def block(language: str, body: str) -> str:
