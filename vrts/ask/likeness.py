@@ -14,12 +14,12 @@ class Likeness:
     """All that was asked, ready to be compared."""
 
     def __init__(self, pages: Sequence[Page]) -> None:
-        """Count the words of each question, and of titles, which are like questions."""
+        """Count the words of each question, and of the titles of pages that are asked for."""
         self._page: list[int] = []  # of each question
         self._with: dict[str, list[int]] = {}
         asked: list[set[str]] = []
         for number, page in enumerate(pages):
-            for question in (*page.asked, page.title):
+            for question in (*page.asked, page.title) if page.asked else ():
                 if terms := set(stems_of(question)):
                     for term in terms:
                         self._with.setdefault(term, []).append(len(asked))

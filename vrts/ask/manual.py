@@ -78,7 +78,8 @@ class Manual:
 
 def words_for(question: str) -> tuple[str, ...]:
     """Return words of the language for what somebody wants, the likeliest first; none: a slip."""
-    found = Index(tuple(all_pages({})), own_words()).search(question)
+    named_only = (page._replace(asked=()) for page in all_pages({}))
+    found = Index(named_only, own_words()).search(question)
     if found.read_as and not _is_foreign(found):
         return ()
     hits = [hit for hit in found.hits if hit.page.kind is Kind.WORD]
