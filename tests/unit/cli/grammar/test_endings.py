@@ -1,10 +1,12 @@
 """How calls end that are interrupted, or that write to full and closed places: real processes."""
 
 import errno
+import fcntl
 import os
 import signal
 import subprocess
 import sys
+import termios
 import time
 from collections.abc import Generator
 from contextlib import contextmanager
@@ -166,9 +168,26 @@ def opened_once_read(fifo: Path, process: "subprocess.Popen[str]") -> Generator[
         assert time.monotonic() < until, "it does not read"
         time.sleep(0.01)
     try:
+        os.write(end, b" ")
+        while not waits_for_more(end, process.pid):
+            assert process.poll() is None, "it has ended, and has read too little"
+            assert time.monotonic() < until, "it does not go on reading"
+            time.sleep(0.01)
         yield
     finally:
         os.close(end)
+
+
+def waits_for_more(end: int, pid: int) -> bool:
+    """Return whether a process has read all of a pipe and sleeps: a signal wakes it then.
+
+    One that comes just before it reads would be seen only when the reading is over.
+    """
+    left = fcntl.ioctl(end, termios.FIONREAD, bytes(4))
+    state = Path(f"/proc/{pid}/stat")
+    if any(left):
+        return False
+    return not state.exists() or state.read_text().rpartition(")")[2].split()[0] == "S"
 
 
 @pytest.mark.parametrize("words", READING, ids=lambda words: words[0])
