@@ -24,7 +24,9 @@ def test_reach_is_that_of_the_scene_as_it_is_now(tmp_path: Path) -> None:
 
 
 def test_the_process_beside_the_server_says_the_same_and_is_begun_again(tmp_path: Path) -> None:
-    program = str(setting(tmp_path))
+    (tmp_path / "none").mkdir()
+    (tmp_path / "lab").mkdir()
+    program = str(setting(tmp_path / "lab"))
     reaching = Reaching()
     assert reaching.text(str(tmp_path / "none" / "a.v2"), X_WT) == ""  # no task, so no process
     assert reaching.process is None
