@@ -260,7 +260,9 @@ def test_a_supervisor_mutes_broadcasts_reads_logs_and_sends_away(
 
     lead.page.click("#panel-lead button:text('Take control')")
     operator.until("!vrts.store.operator && document.getElementById('ready').disabled")
-    operator.until("document.getElementById('toasts').textContent.includes('no longer have control')")
+    operator.until(
+        "document.getElementById('toasts').textContent.includes('no longer have control')"
+    )
     lead.page.click("#panel-lead button:text('Free control')")
     for one in (lead, operator):
         one.until("vrts.store.now.control.holder === ''")
