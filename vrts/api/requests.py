@@ -8,7 +8,6 @@ from vrts.base.diagnostic import Diagnostic
 from vrts.pipeline.alone import robot_alone
 from vrts.pipeline.compiling.reading import Reading
 from vrts.pipeline.environments import load_environment, usual_environment, with_scenario_of
-from vrts.pipeline.files import CannotRead
 from vrts.pipeline.request import ALL_CHECKS, Checks, Request
 from vrts.pipeline.scenes import free_setting
 from vrts.pipeline.setting import Setting
@@ -29,10 +28,6 @@ def run_request(given: Given, where: Where, reading: Reading, entry: str | None 
         CannotRead: A file is not there, or a lab has no scene to be laid over.
         Refused: Scene, scenario or lab have errors.
     """
-    if where.lab is not None and where.scene is None:
-        raise CannotRead(
-            "a lab is laid over a scene", ("give `--scene NAME` (`scene=` in Python), too",)
-        )
     if where == ANYWHERE:
         return Request(given.program, robot_alone(), reading, entry)
     return Request(given.program, free_setting(where, given.folder), reading, entry)

@@ -4,7 +4,7 @@ from vrts.api.errors import wrong_call
 from vrts.api.given import File, Given, optional_path, path_of, word
 from vrts.api.scenes import Scene, Task, task_path
 from vrts.assignments.packed import found_setting
-from vrts.pipeline.scenes import load_scene, with_scenario
+from vrts.pipeline.scenes import load_asked_scene, with_scenario
 from vrts.pipeline.setting import Setting
 from vrts.pipeline.where import Where
 
@@ -36,7 +36,7 @@ def setting_read(
     """Return the setting of a scene or task that was read before; None: neither was.
 
     Args:
-        file: The program; a scene is looked for beside it first.
+        file: The program; a scene is looked for beside it last.
         scene: As callers give it.
         task: As callers give it.
         where: What of all is given by name.
@@ -61,7 +61,7 @@ def setting_read(
     if isinstance(scene, Scene):
         _require_same(read.setting, scene.setting)
     elif where.scene is not None:
-        _require_same(read.setting, load_scene(where.scene, file.folder))
+        _require_same(read.setting, load_asked_scene(where.scene, file.folder))
     setting = read.setting
     return setting if where.scenario is None else with_scenario(setting, where.scenario)
 

@@ -9,7 +9,7 @@ from vrts.base.source import SourceFile
 from vrts.ir.system import PARAMETERS
 from vrts.pipeline.alone import robot_alone
 from vrts.pipeline.controllers import with_controller
-from vrts.pipeline.files import asked_scene, find_scene, read_toml_source
+from vrts.pipeline.files import CannotRead, asked_scene, find_scene, read_toml_source
 from vrts.pipeline.setting import Setting, accepted
 from vrts.pipeline.where import Where
 from vrts.scene.reading.scenario_file import read_scenario
@@ -31,7 +31,30 @@ def load_scene(
         CannotRead: There is no such scene or lab.
         Refused: One of the files has errors.
     """
-    path = asked_scene(name) if beside is None else find_scene(name, beside)
+    if beside is None:
+        return load_asked_scene(name, None, home, lab)
+    return _loaded(find_scene(name, beside), home, lab)
+
+
+def load_asked_scene(
+    name: str, beside: Path | None = None, home: Path | None = None, lab: Path | None = None
+) -> Setting:
+    """Return a scene that whoever calls has named, as `load_scene` does.
+
+    Args:
+        name: A path, a name of the library, or `-` for stdin.
+        beside: Folder to look for it in last: that of the program.
+        home: As for `read_toml_source`.
+        lab: File of a lab.
+
+    Raises:
+        CannotRead: There is no such scene or lab.
+        Refused: One of the files has errors.
+    """
+    return _loaded(asked_scene(name, beside), home, lab)
+
+
+def _loaded(path: Path, home: Path | None, lab: Path | None) -> Setting:
     source = read_toml_source(path, home)
     # the name of a scene depends neither on the working folder nor on how its path was typed
     named = safe(scene_name(str(path.resolve()))) if home is None else None
@@ -78,11 +101,14 @@ def free_setting(where: Where, beside: Path | None = None) -> Setting:
         beside: Folder to look for the scene in last.
 
     Raises:
-        CannotRead: One of the files is not there.
+        CannotRead: One of the files is not there, or a lab has no scene to be laid over.
         Refused: One of them has errors.
     """
     if where.scene:
-        setting = load_scene(str(asked_scene(where.scene, beside)), lab=where.lab)
+        setting = load_asked_scene(where.scene, beside, lab=where.lab)
+    elif where.lab is not None:
+        hint = "give `--scene NAME` (`scene=` in Python), too"
+        raise CannotRead("a lab is laid over a scene", (hint,))
     else:
         setting = robot_alone()
     setting = with_controller(setting, where.controller)

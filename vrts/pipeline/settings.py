@@ -24,13 +24,12 @@ from vrts.pipeline.files import (
     SCENARIO_FILE,
     STAFF,
     TASK_FILE,
-    asked_scene,
     member_bytes,
     named_place,
     read_toml_source,
 )
 from vrts.pipeline.finding.task_of import task_of
-from vrts.pipeline.scenes import load_scene, with_scenario
+from vrts.pipeline.scenes import load_asked_scene, load_scene, with_scenario
 from vrts.pipeline.setting import Setting, Sources, accepted
 from vrts.pipeline.where import ANYWHERE, Where
 
@@ -70,7 +69,7 @@ def load_task(
     if scene is None:
         setting = load_scene(accepted(named, found), folder, home, lab or its_lab)
     else:
-        setting = load_scene(str(asked_scene(scene, folder)), None, home, lab or its_lab)
+        setting = load_asked_scene(scene, folder, home, lab or its_lab)
     setting = with_controller(setting, controller_name(source))
     stamps: tuple[Diagnostic, ...] = ()
     more, is_whole = 0, True
@@ -156,8 +155,7 @@ def setting_for(program: Path | None, where: Where = ANYWHERE) -> Setting | None
         return with_controller(load_task(task, scene, scenario, lab=lab), controller)
     beside = program.parent if program is not None else None
     if scene is not None:
-        asked = load_scene(str(asked_scene(scene, beside)), lab=lab)
-        setting = with_controller(asked, controller)
+        setting = with_controller(load_asked_scene(scene, beside, lab=lab), controller)
         return setting if scenario is None else with_scenario(setting, scenario)
     found = None if program is None else task_of(program)
     if found is None:

@@ -134,6 +134,16 @@ def test_a_scene_and_a_task_go_together_whether_read_or_named() -> None:
         assert found.to_dict() == named.to_dict()
 
 
+def test_a_scene_beside_a_program_never_stands_for_one_of_the_library(tmp_path: Path) -> None:
+    """Whoever hands a program in may hand in a scene, too."""
+    program = tmp_path / "lazy.v2"
+    program.write_text(".PROGRAM lazy()\nDELAY 1\n.END\n")
+    (tmp_path / "cans-on-bases").mkdir()
+    (tmp_path / "cans-on-bases" / "scene.toml").write_text("nonsense")
+    found = vrts.verify(program, scene="cans-on-bases", task=vrts.task(EXAMPLE))
+    assert (found.mark, found.total) == (0.0, 10.0)
+
+
 def test_a_program_that_does_not_compile_is_an_answer() -> None:
     wrong = ".PROGRAM go()\nSPED 30\n.END\n"
     found = vrts.compile(wrong)

@@ -15,7 +15,6 @@ from vrts.cli.shared.options import (
     scenario_option,
     scene_option,
 )
-from vrts.cli.shared.programs import require_scene_of_lab
 from vrts.pipeline.where import Where
 
 EPILOG = """\b
@@ -51,7 +50,6 @@ def command(
 
     Files are read and written in the working folder only. Ctrl-C stops a program, Ctrl-D leaves.
     """
-    require_scene_of_lab(where)
     from vrts.monitor.opening import opened
     from vrts.monitor.transcript import transcript
     from vrts.report.plain import plain_text

@@ -10,7 +10,7 @@ from vrts.pipeline.compiling.reading import ProgramFile, Reading
 from vrts.pipeline.files import STDIN, read_bytes, read_stdin, shown
 from vrts.pipeline.where import Where
 
-__all__ = ["STDIN", "Given", "given_program", "reading_of", "require_scene_of_lab"]
+__all__ = ["STDIN", "Given", "given_program", "reading_of"]
 
 
 def given_program(name: str) -> Given:
@@ -77,9 +77,3 @@ def no_setting(path: Path | None, doing: str) -> NoReturn:
     else:
         why = f"there is no {TASK_FILE} beside it or above it"
     fail(f"nothing says in which scene {doing}: {why}", hints)
-
-
-def require_scene_of_lab(where: Where) -> None:
-    """Refuse a lab without a scene that it is laid over."""
-    if where.lab is not None and where.scene is None:
-        fail("a lab is laid over a scene", ("give `--scene NAME`, too",))

@@ -5,7 +5,7 @@ Commands import this when they are called: robots and scenes are loaded with it.
 
 from vrts.api import requests
 from vrts.cli.shared.options import Language
-from vrts.cli.shared.programs import Given, reading_of, require_scene_of_lab
+from vrts.cli.shared.programs import Given, reading_of
 from vrts.pipeline.request import ALL_CHECKS, Checks, Request
 from vrts.pipeline.setting import Setting
 from vrts.pipeline.where import Where
@@ -26,7 +26,6 @@ def run_request(
         CannotRead: A file is not there.
         Refused: Scene, scenario or lab have errors.
     """
-    require_scene_of_lab(where)
     return requests.run_request(given, where, reading_of(language), entry)
 
 
