@@ -11,6 +11,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cache
 
 from vrts.ask.collect import manual_files, title_of
+from vrts.ask.rules import Rule, rules_in
 from vrts.ask.terminal import Look, rendered
 from vrts.controllers.models import MODELS, USUAL
 from vrts.controllers.readings import READINGS, Reading, value_text
@@ -18,8 +19,6 @@ from vrts.controllers.values import values
 from vrts.report.assumptions import Assumption, text_of
 
 WIDTH = 88  # columns
-_SECTION = re.compile(r"^\(([^)\n]+)\)=\n## (.+)\n((?:(?!^\(|^## ).*\n?)*)", re.M)
-_FIELD = re.compile(r"^- \*\*(Status|Source|On the robot):\*\* (.*\S)$", re.M)
 _FIRST = re.compile(r"\A\s*(.+?)(?:\n\s*\n|\n```|\Z)", re.S)
 _MANUAL = re.compile(r"manual ([a-z0-9/#-]+)")
 _ARMS = "robots."  # modules with data of arms
@@ -36,19 +35,6 @@ No manual of VAL-II could be read for vrts. Each entry says what was decided, ho
 why, and how you find out on your robot. If your robot answers otherwise, write its measures
 into a lab (`vrts new lab`), or let `vrts validate --fit` find them in a log.
 """
-
-
-class Rule:
-    """One rule of the manual that rests on a decision."""
-
-    __slots__ = ("fields", "name", "text", "title")
-
-    def __init__(self, name: str, title: str, body: str) -> None:
-        """Read a section: its name is page and rule, as `language/motion#align`."""
-        self.name = name
-        self.title = title.replace("`", "")
-        self.fields = dict(_FIELD.findall(body))
-        self.text = body.partition("- **Status")[0]
 
 
 def assumed_text(found: Sequence[Assumption]) -> str:
@@ -88,18 +74,11 @@ def _by_page(found: Iterable[Assumption]) -> Iterator[tuple[str, list[Rule]]]:
     for page, text in manual_files().items():
         kept = [
             rule
-            for rule in _rules(page, text)
-            if rule.fields.get("Status") == "assumed" or rule.name in decided
+            for rule in rules_in(page, text)
+            if rule.status == "assumed" or rule.name in decided
         ]
         if kept:
             yield page, kept
-
-
-def _rules(page: str, text: str) -> Iterator[Rule]:
-    prefix = page.replace("/", "-") + "-"
-    for label, title, body in _SECTION.findall(text):
-        if label.startswith(prefix) and _FIELD.search(body):
-            yield Rule(f"{page}#{label.removeprefix(prefix)}", title, body)
 
 
 def _is_assumed(reading: Reading) -> bool:
@@ -114,13 +93,13 @@ def _rule_of(assumption: Assumption) -> str:
 
 def _entry(rule: Rule, marked: Sequence[Assumption]) -> Iterator[str]:
     """Yield the lines of one entry."""
-    yield f"  {rule.title}"
+    yield f"  {rule.title.replace('`', '')}"
     first = _FIRST.match(rule.text)
     if first and not first[1].startswith("|"):
         yield from _filled("what", _plain(first[1]))
     amounts = [*map(_amount, _readings().get(rule.name, ())), *(a.what for a in marked if a.value)]
     yield from _listed("how much", dict.fromkeys(amounts))
-    yield from _filled("why", f"{rule.fields['Status']}: {_plain(rule.fields.get('Source', ''))}")
+    yield from _filled("why", f"{rule.status}: {_plain(rule.source)}")
     yield from _filled("on the robot", rule.fields.get("On the robot", ""))
     yield from _filled("more", f"vrts manual {rule.name}")
 

@@ -88,9 +88,10 @@ class Index:
             best: dict[int, float] = {}
             for term, worth in thing.worth.items():
                 known = self._with.get(term, ())
+                rarity = math.log(1 + len(self.pages) / (len(known) + 0.5))
                 for number in known:
                     weight = self._weights[number][term]
-                    score = worth * self._rarity(term) * weight / (weight + SATURATION)
+                    score = worth * rarity * weight / (weight + SATURATION)
                     best[number] = max(best.get(number, 0.0), score)
             importance = max(best.values(), default=0.0)
             total += importance
@@ -107,9 +108,6 @@ class Index:
         ranked = [Hit(self.pages[n], score) for n, score in ranks.items()]
         ranked.sort(key=lambda hit: (-hit.score, hit.page.name))
         return Found(_one_of_each(ranked), read_as)
-
-    def _rarity(self, term: str) -> float:
-        return math.log(1 + len(self.pages) / (len(self._with.get(term, ())) + 0.5))
 
     def _factor(self, page: Page, *, told: bool) -> float:
         told = told and page.kind is Kind.MESSAGE

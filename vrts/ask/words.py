@@ -5,6 +5,7 @@ from functools import cache
 from typing import NamedTuple
 
 from vrts.ir.system import PARAMETERS, SWITCHES
+from vrts.ir.taken import TAKEN, TAKEN_PARAMETERS, TAKEN_SWITCHES
 from vrts.lang.dialect import TITLES
 from vrts.lang.vocabulary.commands import COMMANDS
 from vrts.lang.vocabulary.function_forms import form_of
@@ -76,6 +77,10 @@ def _all() -> Iterator[Fact]:
         yield Fact(switch.name, "switch", _SYSTEM, f"ENABLE {switch.name}", switch.about)
     for each in PARAMETERS.values():
         yield Fact(each.name, "parameter", _SYSTEM, f"PARAMETER {each.name} = x", each.about)
+    for name, dialects in TAKEN_SWITCHES.items():
+        yield Fact(name, "switch", dialects, f"ENABLE {name}", TAKEN)
+    for name, dialects in TAKEN_PARAMETERS.items():
+        yield Fact(name, "parameter", dialects, f"PARAMETER {name} = x", TAKEN)
     for word in COMMANDS.values():
         kind = "command of the monitor"
         yield Fact(word.text, kind, word.dialects, word.usage, word.about, not word.opaque)

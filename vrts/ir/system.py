@@ -7,6 +7,8 @@ from collections.abc import Mapping
 from types import MappingProxyType
 from typing import NamedTuple
 
+from vrts.ir.taken import TAKEN
+
 
 class SystemSwitch(NamedTuple):
     """A switch of the controller."""
@@ -45,13 +47,13 @@ SWITCHES = _by_name(
     SystemSwitch("TRACE", False, "each step is listed as it is executed"),
     SystemSwitch("DRY.RUN", False, "programs run, the arm stands still (V+)"),
     SystemSwitch("UPPER", False, "comparisons of strings ignore case (V+)"),
-    SystemSwitch("ROBOT", True, "accepted without effect"),
-    SystemSwitch("FORCE", False, "accepted without effect"),
-    SystemSwitch("SUPERVISOR", False, "accepted without effect"),
-    SystemSwitch("EXTERN.ALTER", False, "accepted without effect"),
-    SystemSwitch("INTERACTIVE", True, "accepted without effect"),
-    SystemSwitch("MCP.MESSAGES", False, "accepted without effect"),
-    SystemSwitch("TERMINAL", True, "accepted without effect"),
+    SystemSwitch("ROBOT", True, TAKEN),
+    SystemSwitch("FORCE", False, TAKEN),
+    SystemSwitch("SUPERVISOR", False, TAKEN),
+    SystemSwitch("EXTERN.ALTER", False, TAKEN),
+    SystemSwitch("INTERACTIVE", True, TAKEN),
+    SystemSwitch("MCP.MESSAGES", False, TAKEN),
+    SystemSwitch("TERMINAL", True, TAKEN),
 )
 
 PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
@@ -64,9 +66,9 @@ PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
             Parameter("VEL.LIN", None, "mm/s", "full speed of straight lines"),
             Parameter("TACC", None, "s", "time of an acceleration"),
             Parameter("NEST.POS", None, "deg", "joints of NEST and REST, indices 1 to 6", 6),
-            Parameter("TERMINAL", 0.0, "", "accepted without effect"),
-            Parameter("KERMIT.RETRY", 15.0, "", "accepted without effect"),
-            Parameter("KERMIT.TIMEOUT", 8.0, "s", "accepted without effect"),
+            Parameter("TERMINAL", 0.0, "", TAKEN),
+            Parameter("KERMIT.RETRY", 15.0, "", TAKEN),
+            Parameter("KERMIT.TIMEOUT", 8.0, "s", TAKEN),
         )
     }
 )

@@ -8,6 +8,8 @@ have it, as words have.
 from collections.abc import Mapping
 from types import MappingProxyType
 
+TAKEN = "accepted without effect"  # what is said of them
+
 _SWITCHES_OF_VPLUS = [
     "AUTO.POWER.OFF",
     "BELT",

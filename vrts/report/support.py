@@ -12,7 +12,7 @@ from vrts.engine.code.values.known_functions import evaluates
 from vrts.ir import instructions as ir
 from vrts.ir.module import Module
 from vrts.ir.system import PARAMETERS, SWITCHES
-from vrts.ir.taken import TAKEN_PARAMETERS, TAKEN_SWITCHES
+from vrts.ir.taken import TAKEN, TAKEN_PARAMETERS, TAKEN_SWITCHES
 from vrts.lang.dialect import TITLES, Dialect
 from vrts.lang.vocabulary.commands import COMMANDS
 from vrts.lang.vocabulary.functions import CONSTANTS, FUNCTIONS, Signature
@@ -38,7 +38,6 @@ COMPILES = "compiles"  # a run stops where it is reached: not simulated yet
 OPAQUE = "opaque"  # a run stops where it is reached: never simulated
 KNOWN = "known"  # told apart from others, nothing more yet
 
-_TAKEN = "accepted without effect"
 _COMPANY = (ir.Jump, ir.JumpIf, ir.BeginFor, ir.TestFor, ir.NextFor, ir.BeginCase, ir.TestCase)
 
 
@@ -136,7 +135,7 @@ def _switch(name: str) -> Entry:
     dialects = TAKEN_SWITCHES[name] if known is None else FUNCTIONS["switch"].dialects
     sample = switch_sample(name, dialects)
     state = _state(compiled(sample, native(dialects)))
-    about = _TAKEN if known is None else known.about
+    about = TAKEN if known is None else known.about
     return Entry("switch", name, dialects, sample, about, state)
 
 
@@ -145,7 +144,7 @@ def _parameter(name: str) -> Entry:
     dialects = TAKEN_PARAMETERS[name] if known is None else FUNCTIONS["parameter"].dialects
     sample = parameter_sample(name)
     state = _state(compiled(sample, native(dialects)))
-    about = _TAKEN if known is None else known.about
+    about = TAKEN if known is None else known.about
     return Entry("parameter", name, dialects, sample, about, state)
 
 

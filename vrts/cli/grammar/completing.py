@@ -83,9 +83,9 @@ def _codes(_ctx: click.Context) -> Iterable[str]:
 
 
 def _words(_ctx: click.Context) -> Iterable[str]:
-    from vrts.report.support import entries
+    from vrts.ask.words import facts
 
-    return sorted({entry.word for entry in entries(None, None)})
+    return sorted(facts())
 
 
 def _students(ctx: click.Context) -> Iterable[str]:

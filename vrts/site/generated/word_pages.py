@@ -4,6 +4,7 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import NamedTuple
 
+from vrts.ir.taken import TAKEN
 from vrts.lang.vocabulary.function_forms import form_of
 from vrts.lang.vocabulary.functions import FUNCTIONS
 from vrts.report.support import OPAQUE, RUNS, Entry, entries
@@ -18,7 +19,6 @@ from vrts.site.generated.word_examples import (
     sample_program,
 )
 
-TAKEN = "accepted without effect"
 STATES = {
     RUNS: "vrts carries it out",
     "compiles": "vrts reads it; a run stops there, for it is not simulated yet",
