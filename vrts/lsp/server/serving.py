@@ -1,7 +1,10 @@
 """A server with all its features, from the first message of a client to its end."""
 
 import gc
+import signal
 import sys
+from collections.abc import Generator
+from contextlib import contextmanager
 from typing import BinaryIO, cast
 
 from vrts.base.stack import DEPTH
@@ -14,15 +17,42 @@ RARELY = (50_000, 50, 50)  # collections: summaries are many, live long and have
 
 
 def serve(incoming: BinaryIO, outgoing: BinaryIO) -> None:
-    """Serve one client until it leaves or is gone."""
+    """Serve one client until it leaves or is gone.
+
+    Raises:
+        KeyboardInterrupt: Ctrl-C ended it.
+    """
     sys.setrecursionlimit(DEPTH)  # once for all threads: it counts for the whole process
     sys.setswitchinterval(SWITCH_S)
     gc.set_threshold(*RARELY)
     session = session_with_features()
     try:
-        session.start_io(cast(BinaryIO, Bounded(incoming)), outgoing)
+        with _interruptible():
+            session.start_io(cast(BinaryIO, Bounded(incoming)), outgoing)
     finally:
         session.leave()
+
+
+@contextmanager
+def _interruptible() -> Generator[None]:
+    """Let Ctrl-C end what is inside, and say so afterwards: pygls takes it for a usual end."""
+    interrupted: list[int] = []
+
+    def interrupt(number: int, _frame: object) -> None:
+        interrupted.append(number)
+        raise KeyboardInterrupt
+
+    before = signal.getsignal(signal.SIGINT)
+    if before is not signal.default_int_handler:  # whoever started this wants it otherwise
+        yield
+        return
+    signal.signal(signal.SIGINT, interrupt)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
+    if interrupted:
+        raise KeyboardInterrupt
 
 
 def session_with_features() -> Session:

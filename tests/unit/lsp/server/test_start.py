@@ -1,5 +1,6 @@
 """The server loads nothing heavy: what runs programs or knows arms is a process beside it."""
 
+import signal
 from pathlib import Path
 
 from tests.support_lsp import Client, where
@@ -36,3 +37,12 @@ def test_a_server_that_has_answered_everything_has_loaded_nothing_heavy(tmp_path
     assert "vrts.lsp.server.serving" in loaded
     assert HEAVY & set(loaded) == set()
     assert not any(name.startswith("vrts.lsp.runs") for name in loaded)
+
+
+def test_ctrl_c_ends_it_as_every_command(tmp_path: Path) -> None:
+    client = Client(tmp_path)
+    client.open("a.v2", TEXT)
+    assert [found["code"] for found in client.diagnostics("a.v2")] == ["V120"]
+    client.process.send_signal(signal.SIGINT)
+    assert client.gone() == 130
+    assert client.errors[-1].strip() == "interrupted"
