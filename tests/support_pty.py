@@ -79,6 +79,13 @@ class Child:
             assert time.monotonic() < until, f"keys all the time: {self._unread!r}"
             assert self._read(0.001), f"it has ended: {self._unread!r}"
 
+    def until_it_waits(self) -> None:
+        """Wait until it sleeps: Ctrl-C just before Python reads is seen only after the reading."""
+        state, until = Path(f"/proc/{self._process.pid}/stat"), time.monotonic() + PATIENCE
+        while state.read_text().rpartition(")")[2].split()[0] != "S":
+            assert time.monotonic() < until, f"it works on: {self._unread!r}"
+            assert self._read(0.01), f"it has ended: {self._unread!r}"
+
     def hang_up(self) -> int:
         """Take the terminal away as a line that breaks; return the exit status."""
         os.close(self._master)

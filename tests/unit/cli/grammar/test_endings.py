@@ -9,7 +9,7 @@ import sys
 import termios
 import time
 from collections.abc import Generator
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from pathlib import Path
 
 import click
@@ -215,9 +215,9 @@ def test_ctrl_c_and_ctrl_d_where_something_is_asked(tmp_path: Path) -> None:
     for key, status, words in (("\x03", 130, "interrupted"), ("\x04", 1, "nothing more was typed")):
         folder = tmp_path / str(status)
         folder.mkdir()
-        child = Child(["serve", "--add-user", "anna", "--folder", "live"], folder)
-        child.expect("password")
-        child.send(key)
-        child.expect(words)
-        assert child.status() == status
-        child.close()
+        with closing(Child(["serve", "--add-user", "anna", "--folder", "live"], folder)) as child:
+            child.expect("password: ")  # the space comes when nothing is echoed any more
+            child.until_it_waits()
+            child.send(key)
+            child.expect(words)
+            assert child.status() == status
