@@ -1,0 +1,34 @@
+// Which moment of the session's past this page looks at, for everybody on the page who wants to lead there.
+
+/** @type {number | null} */
+let moment = null; // session time [s]; null: what is now
+/** @type {((at_s: number | null) => void)[]} */
+const watchers = [];
+
+/** Look at a moment of the past, alone: nobody else's page changes. @param {number} at_s session time [s] */
+export function look(at_s) {
+  if (Number.isFinite(at_s)) set(Math.max(at_s, 0));
+}
+
+/** Look at what is now again. */
+export function backToLive() {
+  set(null);
+}
+
+/** Return the moment that is looked at [s]; null: what is now. */
+export function lookedAt() {
+  return moment;
+}
+
+/** Be told now, and whenever another moment is looked at. @param {(at_s: number | null) => void} tell */
+export function onLook(tell) {
+  watchers.push(tell);
+  tell(moment);
+}
+
+/** @param {number | null} at_s */
+function set(at_s) {
+  if (at_s === moment) return;
+  moment = at_s;
+  for (const tell of watchers) tell(moment);
+}
