@@ -44,6 +44,7 @@ def test_the_wheel_holds_all_data(wheel: Path) -> None:
     names = set(zipfile.ZipFile(wheel).namelist())
     assert set(NEEDED) - names == set()
     assert any(name.startswith("vrts/web/vendor/three/") for name in names)
+    assert any(name.startswith("vrts/web/vendor/codemirror/") for name in names)
     assert any(name.endswith(".data/data/share/man/man1/vrts.1") for name in names)
     assert not any(name.startswith("vrts/site/built/man/") for name in names)
 

@@ -14,9 +14,22 @@ from functools import cache
 from importlib.resources import files
 
 THREE = "vendor/three/three.module.min.js"
-BARE = {"three": THREE}
+CODEMIRROR = "vendor/codemirror"
+BARE = {  # paths of vendored modules, by the names under which others import them
+    "three": THREE,
+    **{
+        f"@codemirror/{name}": f"{CODEMIRROR}/{name}.js"
+        for name in ("autocomplete", "commands", "language", "lint", "search", "state")
+    },
+    "@codemirror/streamparser": f"{CODEMIRROR}/streamparser.js",
+    "@codemirror/view": f"{CODEMIRROR}/view.js",
+    **{f"@lezer/{name}": f"{CODEMIRROR}/lezer-{name}.js" for name in ("common", "highlight", "lr")},
+    "@marijn/find-cluster-break": f"{CODEMIRROR}/find-cluster-break.js",
+    **{name: f"{CODEMIRROR}/{name}.js" for name in ("crelt", "style-mod", "w3c-keyname")},
+}
 
-_IMPORT = re.compile(r"""(\bfrom\s*|\bimport\s*)(["'])(three|\.{1,2}/[^"'\n]+)\2""")
+_BARE = "|".join(map(re.escape, BARE))
+_IMPORT = re.compile(rf"""(\bfrom\s*|\bimport\s*)(["'])({_BARE}|\.{{1,2}}/[^"'\n]+)\2""")
 _SCRIPT = re.compile(r"""<script type="module" src="/web/([^"]+)">""")
 
 

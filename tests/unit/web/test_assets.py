@@ -10,23 +10,59 @@ from importlib.resources import files
 
 import pytest
 
-from vrts.web.assets import THREE, asset, closure, module_name, packed, served_page, sources
+from vrts.web.assets import (
+    BARE,
+    CODEMIRROR,
+    THREE,
+    asset,
+    closure,
+    module_name,
+    packed,
+    served,
+    served_page,
+    sources,
+)
 
 VENDOR = files("vrts.web").joinpath("vendor")
 VENDORED = tomllib.loads(VENDOR.joinpath("vendored.toml").read_text())
 
 
-@pytest.mark.parametrize("name", sorted(VENDORED["three"]["files"]))
+FILES = {name: file for part in VENDORED.values() for name, file in part["files"].items()}
+
+
+@pytest.mark.parametrize("name", sorted(FILES))
 def test_vendored_files_are_unmodified_and_small(name: str) -> None:
     content = VENDOR.joinpath(name).read_bytes()
-    assert hashlib.sha256(content).hexdigest() == VENDORED["three"]["files"][name]["sha256"]
+    assert hashlib.sha256(content).hexdigest() == FILES[name]["sha256"]
     assert len(content) < 1_000_000
 
 
 def test_every_vendored_file_is_recorded() -> None:
-    folder = VENDOR.joinpath("three")
-    found = {f"three/{entry.name}" for entry in folder.iterdir()}
-    assert found <= set(VENDORED["three"]["files"])
+    for folder in ("three", "codemirror"):
+        found = {f"{folder}/{entry.name}" for entry in VENDOR.joinpath(folder).iterdir()}
+        assert found <= set(FILES)
+
+
+def test_every_name_under_which_modules_import_others_is_a_vendored_file() -> None:
+    assert {path.removeprefix("vendor/") for path in BARE.values()} <= set(FILES)
+    for name, path in BARE.items():
+        package = FILES[path.removeprefix("vendor/")].get("package", VENDORED["three"]["source"])
+        assert package.endswith(name)
+
+
+def test_the_editor_needs_nothing_that_is_not_vendored() -> None:
+    for path in (path for path in BARE.values() if path.startswith(CODEMIRROR)):
+        wanted = re.findall(
+            r"""^(?:import|export)\b[^"'\n]*\bfrom\s*["']([^"']+)["']""", asset(path), re.M
+        )
+        assert set(wanted) <= set(BARE), path
+        assert not re.search(r"""^(?:im|ex)port\b.*\bfrom\s*["'][^/.]""", served(path), re.M), path
+
+
+def test_the_first_page_waits_for_no_editor() -> None:
+    page = served_page("live/index.html")
+    assert CODEMIRROR not in page
+    assert "live/editor/panel.js" not in page
 
 
 def test_modules_need_no_others_than_a_page_holds() -> None:
