@@ -99,6 +99,14 @@ STEPS: Final = (
         PRIMARY KEY (room, account)
     ) WITHOUT ROWID;
     """,
+    """
+    CREATE TABLE branch (
+        room TEXT PRIMARY KEY,
+        owner INTEGER REFERENCES account ON DELETE SET NULL,
+        origin TEXT NOT NULL,
+        at_s REAL NOT NULL
+    ) WITHOUT ROWID;
+    """,
 )
 
 
