@@ -107,6 +107,19 @@ STEPS: Final = (
         at_s REAL NOT NULL
     ) WITHOUT ROWID;
     """,
+    """
+    CREATE TABLE program_version (
+        shelf TEXT NOT NULL,
+        name TEXT NOT NULL,
+        number INTEGER NOT NULL,
+        at REAL NOT NULL,
+        account INTEGER,
+        saver TEXT NOT NULL,
+        text TEXT,
+        PRIMARY KEY (shelf, name, number)
+    ) WITHOUT ROWID;
+    CREATE INDEX program_version_of ON program_version (account);
+    """,
 )
 
 

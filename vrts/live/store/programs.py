@@ -1,0 +1,159 @@
+"""Programs that people write in the page: every save is a version, and none is lost unseen.
+
+A shelf is where programs lie: one's own, or that of a room, which all who may enter it share. What
+a person has saved counts against that person alone, so nobody pushes out what others saved.
+"""
+
+import sqlite3
+from typing import Final, NamedTuple
+
+MOST_VERSIONS: Final = 300  # that one person has saved, everywhere
+MOST_CHARACTERS: Final = 4_000_000  # of them all together
+MOST_OF_A_PROGRAM: Final = 100  # versions of one program that one person has saved
+LONGEST_NAME: Final = 40  # characters
+
+
+class Version(NamedTuple):
+    """One save."""
+
+    name: str  # of the program
+    number: int  # from 1
+    at: float  # when, by the clock of the wall [s]
+    account: int | None  # who; None: purged
+    saver: str  # name of that person then; empty: purged
+    length: int  # characters
+
+
+class Outcome(NamedTuple):
+    """What became of a save."""
+
+    version: Version | None  # the newest now; None: nothing is kept under that name
+    saved: bool  # false: there is a version that the saver has not seen
+    full: bool = False  # nothing more fits into what a person may keep
+
+
+def own_shelf(account: int) -> str:
+    """Return the shelf of a person."""
+    return f"own {account}"
+
+
+def room_shelf(room: str) -> str:
+    """Return the shelf of a room."""
+    return f"room {room}"
+
+
+def programs(connection: sqlite3.Connection, shelf: str) -> list[Version]:
+    """Return the newest version of every program of a shelf, by name."""
+    rows = connection.execute(
+        "SELECT name, number, at, account, saver, coalesce(length(text), 0)"
+        " FROM program_version AS one WHERE shelf=? AND number=("
+        "SELECT max(number) FROM program_version WHERE shelf=one.shelf AND name=one.name)"
+        " ORDER BY name",
+        (shelf,),
+    )
+    return [Version._make(row) for row in rows]
+
+
+def versions(connection: sqlite3.Connection, shelf: str, name: str) -> list[Version]:
+    """Return all that is kept of a program, the newest first."""
+    rows = connection.execute(
+        "SELECT name, number, at, account, saver, coalesce(length(text), 0)"
+        " FROM program_version WHERE shelf=? AND name=? ORDER BY number DESC",
+        (shelf, name),
+    )
+    return [Version._make(row) for row in rows]
+
+
+def text_of(connection: sqlite3.Connection, shelf: str, name: str, number: int) -> str | None:
+    """Return a version; None where there is none, or it was purged."""
+    row = connection.execute(
+        "SELECT text FROM program_version WHERE shelf=? AND name=? AND number=?",
+        (shelf, name, number),
+    ).fetchone()
+    return row[0] if row else None
+
+
+def save(
+    connection: sqlite3.Connection, shelf: str, version: Version, text: str, seen: int
+) -> Outcome:
+    """Keep a text as the next version of a program.
+
+    Args:
+        connection: To the database.
+        shelf: Where the program lies.
+        version: Name, time and saver; its number and length are found here.
+        text: The program.
+        seen: Number of the newest version that the saver knows of; 0: of none.
+    """
+    newest = next(iter(versions(connection, shelf, version.name)), None)
+    if newest is not None:
+        if newest.number != seen:
+            return Outcome(newest, saved=False)
+        if text_of(connection, shelf, version.name, newest.number) == text:
+            return Outcome(newest, saved=True)  # nothing is new
+    number = 1 if newest is None else newest.number + 1
+    kept = version._replace(number=number, length=len(text))
+    connection.execute(
+        "INSERT INTO program_version VALUES (?,?,?,?,?,?,?)",
+        (shelf, kept.name, number, kept.at, kept.account, kept.saver, text),
+    )
+    if kept.account is not None and not _made_room(connection, kept.account, shelf, kept.name):
+        connection.execute(
+            "DELETE FROM program_version WHERE shelf=? AND name=? AND number=?",
+            (shelf, kept.name, number),
+        )
+        return Outcome(newest, saved=False, full=True)
+    return Outcome(kept, saved=True)
+
+
+def remove(connection: sqlite3.Connection, shelf: str, name: str) -> None:
+    """Forget a program with all its versions."""
+    connection.execute("DELETE FROM program_version WHERE shelf=? AND name=?", (shelf, name))
+
+
+def purge_programs(connection: sqlite3.Connection, account: int) -> None:
+    """Remove what a person has saved: one's own shelf whole, of rooms the texts and the name.
+
+    What others saved in a room stays, with its numbers.
+    """
+    connection.execute("DELETE FROM program_version WHERE shelf=?", (own_shelf(account),))
+    connection.execute(
+        "UPDATE program_version SET account=NULL, saver='', text=NULL WHERE account=?", (account,)
+    )
+
+
+def programs_of(connection: sqlite3.Connection, account: int) -> list[tuple[str, Version, str]]:
+    """Return shelf, version and text of all that a person has saved, for an export."""
+    rows = connection.execute(
+        "SELECT shelf, name, number, at, account, saver, coalesce(length(text), 0), text"
+        " FROM program_version WHERE account=?"
+        " ORDER BY shelf, name, number",
+        (account,),
+    )
+    return [(row[0], Version._make(row[1:-1]), row[-1]) for row in rows]
+
+
+def _made_room(connection: sqlite3.Connection, account: int, shelf: str, name: str) -> bool:
+    """Drop what is oldest of what a person has saved, never the newest of a program.
+
+    Returns:
+        Whether all that is left fits into what a person may keep.
+    """
+    mine = connection.execute(
+        "SELECT shelf, name, number, length(text), number<(SELECT max(number) FROM program_version"
+        " WHERE shelf=one.shelf AND name=one.name) FROM program_version AS one WHERE account=?"
+        " ORDER BY at, shelf, name, number",
+        (account,),
+    ).fetchall()
+    count, characters = len(mine), sum(row[3] for row in mine)
+    here = sum(row[:2] == (shelf, name) for row in mine)
+    for row in mine:
+        too_many = count > MOST_VERSIONS or characters > MOST_CHARACTERS
+        if not row[4] or not (too_many or (here > MOST_OF_A_PROGRAM and row[:2] == (shelf, name))):
+            continue
+        connection.execute(
+            "DELETE FROM program_version WHERE shelf=? AND name=? AND number=?", row[:3]
+        )
+        count, characters = count - 1, characters - row[3]
+        here -= row[:2] == (shelf, name)
+    return count <= MOST_VERSIONS and characters <= MOST_CHARACTERS
