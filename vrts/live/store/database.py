@@ -18,7 +18,7 @@ from queue import SimpleQueue
 from types import TracebackType
 from typing import Any, TypeVar
 
-from vrts.live.store.migrations import STEPS, migrate
+from vrts.live.store.migrations import STEPS, NotMigrated, migrate, version_of
 
 Answer = TypeVar("Answer")
 Connection = sqlite3.Connection
@@ -30,7 +30,14 @@ _TOGETHER = 200  # jobs of one commit
 
 
 def opened(path: Path) -> sqlite3.Connection:
-    """Open a database, readable by its owner only, with the present tables."""
+    """Open a database, readable by its owner only, with the present tables.
+
+    One of before is copied beside it, with its version in the name, before it is changed.
+
+    Raises:
+        TooNew: It was written by a later vrts.
+        NotMigrated: It could not be changed, and is as it was.
+    """
     os.close(os.open(path, os.O_CREAT | os.O_RDWR, 0o600))
     connection = sqlite3.connect(path, isolation_level=None, check_same_thread=False)
     connection.execute("PRAGMA journal_mode=WAL")
@@ -38,8 +45,38 @@ def opened(path: Path) -> sqlite3.Connection:
     connection.execute("PRAGMA foreign_keys=ON")
     connection.execute("PRAGMA busy_timeout=5000")
     connection.execute("PRAGMA secure_delete=ON")  # what is purged is overwritten
-    migrate(connection)
+    try:
+        bring_up_to_date(connection, path)
+    except BaseException:
+        connection.close()
+        raise
     return connection
+
+
+def bring_up_to_date(
+    connection: sqlite3.Connection, path: Path, steps: tuple[str, ...] = STEPS
+) -> None:
+    """Give a database the present tables; one of before is copied beside it first.
+
+    Raises:
+        TooNew: It was written by a later vrts.
+        NotMigrated: It could not be changed, and is as it was.
+    """
+    version = version_of(connection)
+    kept = ""
+    if 0 < version < len(steps):
+        copy = copy_of_before(path, version)
+        backup(path, copy)
+        kept = f", and a copy of it is in `{copy}`"
+    try:
+        migrate(connection, steps)
+    except NotMigrated as problem:
+        raise NotMigrated(f"{problem}{kept}") from problem
+
+
+def copy_of_before(path: Path, version: int) -> Path:
+    """Return where a database of a version is copied before it is changed."""
+    return path.with_name(f"{path.stem}.version-{version}{path.suffix}")
 
 
 def is_database(path: Path) -> bool:

@@ -1,6 +1,7 @@
 """The tables, as numbered steps; a database says in `user_version` how many it has taken."""
 
 import sqlite3
+from collections.abc import Iterator
 from typing import Final
 
 STEPS: Final = (
@@ -127,25 +128,53 @@ class TooNew(Exception):  # noqa: N818 -- names the situation
     """The database was written by a later vrts."""
 
 
+class NotMigrated(Exception):  # noqa: N818 -- names the situation
+    """A step failed: the database is as it was."""
+
+
+def version_of(connection: sqlite3.Connection) -> int:
+    """Return how many steps a database has taken; 0: it is empty, or none of vrts."""
+    (version,) = connection.execute("PRAGMA user_version").fetchone()
+    return int(version)
+
+
 def migrate(connection: sqlite3.Connection, steps: tuple[str, ...] = STEPS) -> int:
-    """Bring a database to the present tables, each step whole or not at all.
+    """Bring a database to the present tables, in one transaction: all steps or none.
 
     Returns:
         How many steps were taken.
 
     Raises:
         TooNew: The database has taken more steps than are known.
+        NotMigrated: A step failed.
     """
-    (version,) = connection.execute("PRAGMA user_version").fetchone()
+    version = version_of(connection)
     if version > len(steps):
         raise TooNew(f"the database is of a later version: {version}")
-    for number, step in enumerate(steps[version:], version + 1):
-        try:
-            connection.executescript(
-                f"BEGIN IMMEDIATE; {step}; PRAGMA user_version={number}; COMMIT"
-            )
-        except sqlite3.Error:
-            if connection.in_transaction:
-                connection.execute("ROLLBACK")
-            raise
+    if version == len(steps):
+        return 0
+    try:
+        connection.execute("BEGIN IMMEDIATE")
+        version = version_of(connection)  # somebody else may have been here meanwhile
+        for step in steps[version:]:
+            for statement in _statements(step):
+                connection.execute(statement)
+        connection.execute(f"PRAGMA user_version={len(steps)}")
+        connection.execute("COMMIT")
+    except sqlite3.Error as problem:
+        if connection.in_transaction:
+            connection.execute("ROLLBACK")
+        what = f"the database cannot be brought from version {version} to {len(steps)}"
+        raise NotMigrated(f"{what}: {problem}; it is as it was") from problem
     return len(steps) - version
+
+
+def _statements(step: str) -> Iterator[str]:
+    """Return the statements of a step; those of a trigger stay together."""
+    statement = ""
+    for part in step.split(";"):
+        statement += f"{part};"
+        if sqlite3.complete_statement(statement):
+            if statement.strip(" \n;"):
+                yield statement
+            statement = ""

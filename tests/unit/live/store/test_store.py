@@ -16,7 +16,7 @@ from vrts.live.store import accounts, log
 from vrts.live.store.accounts import add_account, add_link, enter, log_in, who
 from vrts.live.store.database import Database, backup, opened
 from vrts.live.store.log import Entry
-from vrts.live.store.migrations import STEPS, TooNew, migrate
+from vrts.live.store.migrations import STEPS, NotMigrated, TooNew, migrate
 from vrts.live.store.rooms import KeptRoom, Line, keep_line, keep_room, lines, open_rooms
 from vrts.live.tokens import new_token
 
@@ -44,7 +44,7 @@ def test_a_step_is_taken_whole_or_not_at_all() -> None:
     connection = sqlite3.connect(":memory:", isolation_level=None)
     good = "CREATE TABLE a (x); INSERT INTO a VALUES (1)"
     assert migrate(connection, (good,)) == 1
-    with pytest.raises(sqlite3.Error):
+    with pytest.raises(NotMigrated, match="from version 1 to 2: no such table: c; it is as it was"):
         migrate(connection, (good, "CREATE TABLE b (x); INSERT INTO c VALUES (1)"))
     tables = [row[0] for row in connection.execute("SELECT name FROM sqlite_master")]
     assert tables == ["a"]
