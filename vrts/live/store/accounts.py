@@ -98,7 +98,7 @@ def add_link(
 ) -> None:
     """Let who knows a token or code enter."""
     connection.execute(
-        "INSERT INTO link VALUES (?,?,?,?,?,?)",
+        "INSERT INTO link (digest, supervisor, room, name, uses, expires) VALUES (?,?,?,?,?,?)",
         (digest(token), supervisor, room, name, uses, expires),
     )
 

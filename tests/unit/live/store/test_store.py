@@ -55,6 +55,22 @@ def test_a_step_is_taken_whole_or_not_at_all() -> None:
     connection.close()
 
 
+def test_codes_of_thirty_bits_end_and_everything_else_of_before_stays() -> None:
+    connection = sqlite3.connect(":memory:", isolation_level=None)
+    migrate(connection, STEPS[:3])
+    connection.execute("INSERT INTO account VALUES (7, 'Anna', NULL, 0, 'r', 50.0)")
+    rows = [(b"code", 0, None, None), (b"room", 0, "r", None), (b"once", 1, None, "supervisor")]
+    for digest, *whose in rows:
+        connection.execute("INSERT INTO link VALUES (?,?,?,?,9,99.0)", (digest, *whose))
+    migrate(connection)
+    links = connection.execute("SELECT digest, id FROM link ORDER BY digest").fetchall()
+    assert links == [(b"once", b"once".hex()), (b"room", b"room".hex())]
+    account = connection.execute("SELECT id, name, room, created, seen FROM account").fetchone()
+    assert account == (7, "Anna", "r", 50.0, 50.0), "who was there counts as seen"
+    assert connection.execute("SELECT * FROM counter").fetchall() == [("account", 7)]
+    connection.close()
+
+
 def test_a_chain_that_is_changed_anywhere_does_not_verify(connection: sqlite3.Connection) -> None:
     for n in range(5):
         log.append(connection, entry(text=f'{{"n":{n}}}'))
