@@ -142,6 +142,18 @@ STEPS: Final = (
         expires REAL NOT NULL
     ) WITHOUT ROWID;
     """,
+    """
+    CREATE TABLE browser (
+        account INTEGER NOT NULL REFERENCES account ON DELETE CASCADE,
+        digest BLOB NOT NULL,
+        PRIMARY KEY (account, digest)
+    ) WITHOUT ROWID;
+    CREATE INDEX browser_of ON browser (digest);
+    CREATE TABLE muted (
+        account INTEGER PRIMARY KEY REFERENCES account ON DELETE CASCADE,
+        name TEXT NOT NULL
+    );
+    """,
 )
 
 
