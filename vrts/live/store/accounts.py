@@ -110,7 +110,8 @@ def enter(connection: sqlite3.Connection, token: str, name: str, now: float) -> 
         ValueError: The name cannot be shown.
     """
     row = connection.execute(
-        "SELECT supervisor, room, name FROM link WHERE digest=? AND expires>? AND uses>0",
+        "SELECT supervisor, room, name FROM link WHERE digest=? AND expires>? AND uses>0"
+        " AND ended IS NULL",
         (digest(token), now),
     ).fetchone()
     if row is None:

@@ -122,8 +122,6 @@ STEPS: Final = (
     CREATE INDEX program_version_of ON program_version (account);
     """,
     """
-    -- class codes of before had 30 bits: a new one is made
-    DELETE FROM link WHERE room IS NULL AND name IS NULL AND NOT supervisor;
     ALTER TABLE link ADD COLUMN id TEXT NOT NULL DEFAULT '';
     ALTER TABLE link ADD COLUMN made REAL NOT NULL DEFAULT 0;
     ALTER TABLE link ADD COLUMN used INTEGER NOT NULL DEFAULT 0;
@@ -131,11 +129,12 @@ STEPS: Final = (
     ALTER TABLE link ADD COLUMN ended REAL;
     ALTER TABLE link ADD COLUMN away INTEGER NOT NULL DEFAULT 0;
     UPDATE link SET id=lower(hex(substr(digest, 1, 4)));
+    -- class codes of before had 30 bits: they end, and a longer one is made
+    UPDATE link SET code=1, ended=0 WHERE room IS NULL AND name IS NULL AND NOT supervisor;
     ALTER TABLE account ADD COLUMN link TEXT;
     ALTER TABLE account ADD COLUMN seen REAL NOT NULL DEFAULT 0;
     ALTER TABLE account ADD COLUMN stayed_s REAL NOT NULL DEFAULT 0;
     UPDATE account SET seen=created, stayed_s=86400;
-    INSERT INTO counter SELECT 'account', coalesce(max(id), 0) FROM account;
     CREATE TABLE device (
         digest BLOB PRIMARY KEY,
         account INTEGER NOT NULL REFERENCES account ON DELETE CASCADE,
