@@ -21,6 +21,7 @@ export class Color {
   setRGB(r: number, g: number, b: number): this;
   copy(color: Color): this;
   clone(): Color;
+  getStyle(): string;
   toArray<T extends ArrayLike<number>>(array?: T, offset?: number): T;
 }
 
@@ -91,6 +92,12 @@ export class Plane {
   constructor(normal?: Vector3, constant?: number);
   normal: Vector3;
   setFromNormalAndCoplanarPoint(normal: Vector3, point: Vector3): this;
+}
+
+export class Box3 {
+  min: Vector3;
+  max: Vector3;
+  setFromObject(object: Object3D): this;
 }
 
 export class Ray {
