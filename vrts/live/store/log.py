@@ -165,5 +165,8 @@ def _person(connection: sqlite3.Connection, entry: Entry) -> bytes:
     row = connection.execute("SELECT salt FROM log_name WHERE room=? AND account=?", of).fetchone()
     salt = row[0] if row else secrets.token_bytes(16)
     if row is None:
-        connection.execute("INSERT INTO log_name VALUES (?,?,?,?)", (*of, salt, entry.name))
+        connection.execute(
+            "INSERT INTO log_name (room, account, salt, name) VALUES (?,?,?,?)",
+            (*of, salt, entry.name),
+        )
     return salted(salt, str(entry.account))

@@ -153,6 +153,41 @@ STEPS: Final = (
         name TEXT NOT NULL
     );
     """,
+    """
+    -- signs, made with a key that is not in the database: see `seals`
+    CREATE TABLE log_head (
+        room TEXT PRIMARY KEY,
+        name TEXT NOT NULL,
+        records INTEGER NOT NULL,
+        last BLOB NOT NULL,
+        seal BLOB NOT NULL
+    ) WITHOUT ROWID;
+    CREATE TABLE log_seal (
+        one INTEGER PRIMARY KEY CHECK (one=1),
+        database BLOB NOT NULL,
+        key BLOB NOT NULL,
+        count INTEGER NOT NULL,
+        rooms INTEGER NOT NULL,
+        heads BLOB NOT NULL,
+        accepted INTEGER NOT NULL,
+        seal BLOB NOT NULL
+    );
+    CREATE TABLE log_purged (
+        room TEXT NOT NULL,
+        seq INTEGER NOT NULL,
+        at REAL NOT NULL,
+        why TEXT NOT NULL,
+        seal BLOB NOT NULL,
+        PRIMARY KEY (room, seq)
+    ) WITHOUT ROWID;
+    CREATE TABLE log_accepted (
+        number INTEGER PRIMARY KEY,
+        at REAL NOT NULL,
+        what TEXT NOT NULL,
+        seal BLOB NOT NULL
+    );
+    ALTER TABLE log_name ADD COLUMN seal BLOB NOT NULL DEFAULT x'';
+    """,
 )
 
 
