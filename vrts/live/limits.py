@@ -7,6 +7,7 @@ from typing import Final
 MESSAGES: Final = (60.0, 120.0)  # a second, and at once
 CHAT: Final = (1.0, 8.0)
 QUESTIONS: Final = (25.0, 40.0)  # reach while the pointer is dragged
+LOOKS: Final = (10.0, 60.0)  # blocks of the past, of a minute each
 PROGRAMS: Final = (0.5, 4.0)  # uploads, saved programs, exports: they are long
 EXCESS: Final = 1000  # messages beyond the limits after which a connection ends
 CONNECTIONS: Final = 8  # of one account

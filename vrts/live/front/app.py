@@ -12,6 +12,7 @@ from starlette.websockets import WebSocket
 from vrts.live.front.guard import Guard
 from vrts.live.front.http import Pages
 from vrts.live.front.origin import Names
+from vrts.live.front.past import PastPages
 from vrts.live.front.socket import serve_socket
 from vrts.live.front.static_files import StaticFiles
 from vrts.live.rooms.hub import Hub
@@ -34,6 +35,8 @@ def application(settings: Settings, code: str, address: str, rooms: tuple[str, .
     hub = Hub(settings, Database(settings.folder / DATABASE))
     sessions = Sessions(hub)
     pages = Pages(hub, StaticFiles(), code, address)
+
+    past = PastPages(hub, pages.who)
 
     @asynccontextmanager
     async def lifespan(_: Starlette) -> AsyncGenerator[None, None]:
@@ -64,6 +67,7 @@ def application(settings: Settings, code: str, address: str, rooms: tuple[str, .
             Route("/logout", pages.logout, methods=["POST"]),
             Route("/me", pages.me),
             Route("/scene/{room}/{session:int}", pages.scene),
+            Route("/past/{room}/{session:int}/{number:int}", past.block),
             Route("/log/{room}", pages.log),
             Route("/replay/{room}", pages.replay),
             Route("/link", pages.link, methods=["POST"]),

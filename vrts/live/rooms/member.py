@@ -34,6 +34,7 @@ class Member:
     messages: Bucket = field(default_factory=lambda: Bucket(*limits.MESSAGES))
     chat: Bucket = field(default_factory=lambda: Bucket(*limits.CHAT))
     questions: Bucket = field(default_factory=lambda: Bucket(*limits.QUESTIONS))
+    looks: Bucket = field(default_factory=lambda: Bucket(*limits.LOOKS))
     programs: Bucket = field(default_factory=lambda: Bucket(*limits.PROGRAMS))
 
     @property

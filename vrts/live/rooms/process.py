@@ -14,6 +14,7 @@ from vrts.live.actions import Action, Number
 from vrts.live.session.channel.messages import (
     LENGTH,
     Act,
+    AskBlock,
     AskProgram,
     AskReach,
     AskSnapshot,
@@ -124,6 +125,12 @@ class SessionProcess:
         """Ask for what was done as a program."""
         self._ref += 1
         self._send(AskProgram(self._ref, name))
+        return self._ref
+
+    def ask_block(self, number: int) -> int:
+        """Ask for a block of the past."""
+        self._ref += 1
+        self._send(AskBlock(self._ref, number))
         return self._ref
 
     def set_pace(self, rate: int) -> None:

@@ -10,6 +10,7 @@ import msgspec
 from msgspec import structs
 
 from vrts.live.door import binary_frame, text_frame
+from vrts.live.looking.blocks import Blocks
 from vrts.live.protocol.coding import encode
 from vrts.live.protocol.fields import Role
 from vrts.live.protocol.from_server import Chat, Control, Message, Now, People
@@ -69,6 +70,7 @@ class Room:
     pace: int = FULL_RATE  # pose frames a second that the session makes
     halting: bool = False  # a panic is on its way
     frame: bytes = b""  # the last pose frame; empty: session time is another one since
+    blocks: Blocks = field(default_factory=Blocks)  # of the session's past
     crowd_changed: float = 0.0  # since when people are to be told who is here; 0: they know
     _told: deque[Told] = field(default_factory=deque[Told])
     _bytes: int = 0

@@ -153,6 +153,8 @@ class Sessions:
                 self._done(room, head, message)
             case "reached":
                 self._answer(room, head, Reach(self._of(room, head), _RAW(message)))
+            case "looked":
+                room.blocks.answered(head.ref, message)
             case "program_text":
                 self._answer(room, head, Program(self._of(room, head), _RAW(message)))
             case "snapshot":
@@ -180,6 +182,8 @@ class Sessions:
             case "failed" | "exported":
                 pass  # `SessionProcess.failure` has it; nobody asked for an export
             case _:
+                if head.type == "began":
+                    room.blocks.forget()
                 if head.type == "moved":
                     learn_bodies(room, message, whole=False)
                 number = room.next_number()
@@ -239,6 +243,7 @@ class Sessions:
         room.halting = False
         room.status = room.frame = b""
         room.placed.clear()
+        room.blocks.forget()
         for one in asked.values():
             member = room.members.get(one.person)
             if member is not None:

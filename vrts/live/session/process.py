@@ -22,11 +22,12 @@ from vrts.live.session.again.carrying_on import (
 )
 from vrts.live.session.channel.beats import AFTER_TICK, Beats, shows
 from vrts.live.session.channel.inbox import Inbox, Unreadable
-from vrts.live.session.channel.messages import Failed, Json, Pace, Ready, Start, Stop
+from vrts.live.session.channel.messages import AskBlock, Failed, Json, Pace, Ready, Start, Stop
 from vrts.live.session.channel.outbox import Outbox, ServerGone
 from vrts.live.session.growing.folder import empty
 from vrts.live.session.growing.tidying import Tidying
 from vrts.live.session.live_session import Session
+from vrts.live.session.looking.looker import Looker
 from vrts.live.session.marks.checker import Checker, warm_up
 from vrts.live.session.setting import setting_of
 from vrts.marking.supervise.limits import Limits, impose
@@ -82,7 +83,7 @@ def _serve(inbox: Inbox, outbox: Outbox, readable: int, clock: Clock) -> int:
     said = (model.name, digest(model))
     outbox.send(Ready(start.session, session.epoch_s, arm, scene, title, carried_s, anew, *said))
     tidying = Tidying()
-    with Checker(session) as checker:
+    with Checker(session) as checker, Looker(session, outbox.send) as looker:
         beats = Beats(clock())
         while not inbox.ended:
             for order in orders:
@@ -91,6 +92,8 @@ def _serve(inbox: Inbox, outbox: Outbox, readable: int, clock: Clock) -> int:
                     return 0
                 if isinstance(order, Pace):
                     beats.period_s = 1.0 / order.rate
+                if isinstance(order, AskBlock):
+                    looker.ask(order)
                 session.take(order)
                 if shows(order):
                     beats.bring_forward(session.epoch_s + session.growing.next_tick_s + AFTER_TICK)
@@ -98,6 +101,7 @@ def _serve(inbox: Inbox, outbox: Outbox, readable: int, clock: Clock) -> int:
                 session.beat()
                 outbox.flush()  # who watches does not wait for what follows
                 checker.beat()
+                looker.beat()
                 tidying.beat(session.growing.time_s)
                 beats.kept(clock())
             outbox.flush()

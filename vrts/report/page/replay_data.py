@@ -45,11 +45,12 @@ def run_data(run: Run, source: SourceFile | None) -> Json:
         "horizon": _end(run),
         "ended": run.ended_s,
         "gravity": GRAVITY,
-        "segments": _segments(run.timeline.segments_or_start),
+        "segments": segment_data(run.timeline.segments_or_start),
         "motions": [{"start": seconds(m.start_s), "end": seconds(m.end_s)} for m in run.motions],
         "tools": _tools(run),
         "placements": {
-            body: [_placement(p) for p in placements] for body, placements in run.placements.items()
+            body: [placement_data(p) for p in placements]
+            for body, placements in run.placements.items()
         },
         "lines": robot_lines(run, source),
         "processLines": process_lines(run, source),
@@ -116,7 +117,8 @@ def _end(run: Run) -> float:
     return run.horizon_s if run.horizon_s < float("inf") else max(last, run.ended_s or 0.0)
 
 
-def _segments(segments: Sequence[Segment]) -> Json:
+def segment_data(segments: Sequence[Segment]) -> Json:
+    """Return polynomials that follow one another, at least one."""
     rows = [row for segment in segments for row in segment.coefficients]
     assert len(rows) == COORDINATES * len(segments)
     lengths = np.array([segment.end_s - segment.start_s for segment in segments])
@@ -165,7 +167,8 @@ def _tools(run: Run) -> list[Json]:
     return rows
 
 
-def _placement(p: Placement) -> Json:
+def placement_data(p: Placement) -> Json:
+    """Return how a body lies from a time on."""
     return {
         "start": p.start_s,
         "end": p.end_s if p.end_s < float("inf") else None,

@@ -27,6 +27,7 @@ LENGTH: Final = struct.Struct("<I")  # before every message from the session
 BEAT: Final = 0.020  # [s] between pose frames, unless `Pace` says otherwise
 SILENCE: Final = 0.200  # [s] without `Keep` after which a held key counts as released
 LONGEST_ORDER: Final = 1 << 20  # bytes of a line to the session
+BLOCK: Final = 60.0  # [s] of the past that are asked for at once
 
 Stamp = Annotated[float, Meta(ge=0.0, le=1e7)]
 Ref = Annotated[int, Meta(ge=0, le=2**53)]
@@ -94,6 +95,13 @@ class AskProgram(Order, frozen=True, tag="ask_program"):
     name: Name
 
 
+class AskBlock(Order, frozen=True, tag="ask_block"):
+    """A block of the past, for somebody who looks at it; answered by `Looked`."""
+
+    ref: Ref
+    number: Annotated[int, Meta(ge=0, le=200_000)]  # it begins at `number * BLOCK`
+
+
 class Pace(Order, frozen=True, tag="pace"):
     """How many pose frames to make a second."""
 
@@ -104,7 +112,7 @@ class Stop(Order, frozen=True, tag="stop"):
     """End; the end of input means the same."""
 
 
-ToSession = Start | Act | Halt | AskReach | AskSnapshot | AskProgram | Pace | Stop
+ToSession = Start | Act | Halt | AskReach | AskSnapshot | AskProgram | AskBlock | Pace | Stop
 
 # --- from the session -----------------------------------------------------------------------------
 
@@ -163,6 +171,15 @@ class ProgramText(News, frozen=True, tag="program_text"):
     ref: int
     name: str
     text: str
+
+
+class Looked(News, frozen=True, tag="looked"):
+    """A block of the past (`looking.block`); where it cannot be told, why."""
+
+    ref: int
+    data: str = ""  # JSON, gzipped, in base64
+    whole: bool = False  # it will never be another one, unless session time jumps
+    why: str = ""
 
 
 class Placed(msgspec.Struct, frozen=True):
@@ -274,6 +291,7 @@ FromSession = (
     | Done
     | Reached
     | ProgramText
+    | Looked
     | Moved
     | Happened
     | Output

@@ -215,6 +215,23 @@ class GrowingRun:
             forget_values([machine], max(now_s - FORGETTING, 0.0))
         return Run(machine, self.time_s, (machine,))
 
+    @deep_stack()
+    def run_of(self, from_s: float, until_s: float) -> Run | None:
+        """Return a run that knows all between two times [s]; it may take its time.
+
+        None: that is not known any more.
+        """
+        if from_s >= self.known_from_s:
+            return self.run
+        try:
+            begun_s, machine, given = self._from_file(from_s)
+        except ValueError:
+            return None
+        until_s = min(until_s, self.time_s)
+        for _ in _repeated(machine, given, begun_s, until_s):
+            pass
+        return Run(machine, until_s, (machine,))
+
     def deeds(self) -> Deeds | None:
         """Return what was done before `known_from_s`; None: that is not known any more."""
         if self.known_from_s == 0.0:
