@@ -1,8 +1,10 @@
 // The 3D world of a room: the viewer of the reports, fed by frames.
 
+import { Vector3 } from "three";
 import { armFrames } from "../viewer/kinematics.js";
 import { compose, identity, poseFrom } from "../viewer/poses.js";
-import { Viewer } from "../viewer/viewer.js";
+import { VIEWS, Viewer } from "../viewer/viewer.js";
+import { framed, worked } from "./layout/framing.js";
 import { Motion } from "./motion.js";
 import { onTheme, theme } from "./themes.js";
 
@@ -35,6 +37,9 @@ export class World {
     this.watchers = [];
     /** @type {((viewer: Viewer | null) => void)[]} */
     this.sceneWatchers = [];
+    this.beginning = "overview"; // view point from which a scene is seen at first
+    /** @type {((name: string, chosen: boolean) => void)[]} */
+    this.lookWatchers = [];
     this.url = "";
     onTheme(() => this.viewer?.setTheme(theme()));
     const tick = () => {
@@ -72,15 +77,21 @@ export class World {
     this.viewer = viewer;
     this.state = null;
     window.setTimeout(() => this.viewer === viewer && !viewer.software && viewer.reflect(), LATER);
-    look(this.viewer, "overview");
+    look(this.viewer, this.beginning);
     for (const tell of this.sceneWatchers) tell(this.viewer);
   }
 
   /** Look from a preset view point, or follow the hand. @param {string} name */
   look(name) {
+    this.lookFrom(name, true);
+  }
+
+  /** @param {string} name @param {boolean} chosen whether somebody wants it, and not the page */
+  lookFrom(name, chosen) {
     if (!this.viewer) return;
     look(this.viewer, name);
     if (this.state) this.viewer.show(this.state); // a hand that rests is followed too
+    for (const tell of this.lookWatchers) tell(name, chosen);
   }
 
   /** Learn from a status which tool is in force. @param {import("./protocol.js").Status} status */
@@ -113,7 +124,9 @@ export class World {
     if (this.changed(state)) {
       this.viewer.show(state);
     }
+    const first = !this.state;
     this.state = state;
+    if (first) this.lookFrom(this.beginning, false); // now that it is known how the arm stands
     const lit = this.lit(shown.t);
     this.viewer.highlight(lit.length ? this.mark(lit) : null);
     for (const tell of this.watchers) tell(state, shown.outputs, shown.flags);
@@ -149,13 +162,23 @@ export class World {
 }
 
 /**
- * Look from a preset view point. The overview stands far enough away for an arm that points up.
+ * Look from a preset view point. The overview stands far enough away for an arm that points up; the
+ * table is seen from as near as arm and table fill the picture.
  * @param {Viewer} viewer @param {string} name
  */
 export function look(viewer, name) {
   viewer.look(name);
-  if (name !== "overview") return;
-  viewer.controls.target.z += RAISED;
-  viewer.camera.position.z += RAISED;
-  viewer.zoom(FARTHER);
+  const { camera, controls } = viewer;
+  if (name === "overview") {
+    controls.target.z += RAISED;
+    camera.position.z += RAISED;
+    viewer.zoom(FARTHER);
+  } else if (name === "table") {
+    const { eye, target } = VIEWS.table;
+    const ahead = new Vector3().fromArray(target).sub(new Vector3().fromArray(eye)).normalize();
+    const found = framed(worked(viewer), ahead, (camera.fov * Math.PI) / 180, camera.aspect);
+    camera.position.copy(found.eye);
+    controls.target.copy(found.target);
+    controls.update();
+  }
 }

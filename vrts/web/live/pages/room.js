@@ -5,6 +5,7 @@ import { Connection, Refusal } from "../connection.js";
 import { byId } from "../dom.js";
 import { Intake } from "../intake.js";
 import { bindKeys } from "../keys.js";
+import { mountLayout } from "../layout/mount.js";
 import { mountSelection } from "../selection.js";
 import { Store } from "../store.js";
 import { Toasts } from "../toasts.js";
@@ -44,7 +45,7 @@ export function showRoom(me, wanted) {
   const app = started(wanted, false);
   app.store.set({ name: me.name, supervisor: me.supervisor, alone: me.alone, rooms: me.rooms });
   mountTop(app);
-  mountViews(app);
+  mountViews(app, mountLayout());
   mountSelection(app.world);
   mountOverlay(app);
   mountStatus(app);

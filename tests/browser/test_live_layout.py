@@ -1,0 +1,156 @@
+"""The page's parts beside each other, in a real browser: the picture first, borders, folds."""
+
+from collections.abc import Iterator
+
+import pytest
+from playwright.sync_api import Browser
+
+from tests.browser.arm_in_picture import arm_in_picture
+from tests.browser.support_sessions import SHOWN, Desk, student
+from tests.support_live import LiveServer
+
+pytestmark = pytest.mark.browser
+
+SCREEN = {"width": 1366, "height": 768}
+LOOK = "document.querySelector('[data-look][aria-pressed=true]')?.dataset.look"
+
+
+@pytest.fixture(scope="module")
+def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[LiveServer]:
+    with LiveServer(tmp_path_factory.mktemp("live")) as server:
+        yield server
+
+
+@pytest.fixture(scope="module")
+def anna(browser: Browser, server: LiveServer) -> Iterator[Desk]:
+    desk = student(browser, server, "Anna")
+    desk.page.set_viewport_size(SCREEN)
+    again(desk)
+    yield desk
+    assert desk.complaints() == []
+    desk.context.close()
+
+
+def again(desk: Desk) -> None:
+    desk.page.reload()
+    desk.until(SHOWN)
+    desk.until(f"{LOOK} !== undefined")
+
+
+def width(desk: Desk, id_: str) -> int:
+    return round(desk.value(f"document.getElementById('{id_}').getBoundingClientRect().width"))
+
+
+def height(desk: Desk, id_: str) -> int:
+    return round(desk.value(f"document.getElementById('{id_}').getBoundingClientRect().height"))
+
+
+def drag(desk: Desk, id_: str, by: tuple[int, int]) -> None:
+    box = desk.page.locator(f"#{id_}").bounding_box()
+    assert box is not None
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    desk.page.mouse.move(x, y)
+    desk.page.mouse.down()
+    desk.page.mouse.move(x + by[0] / 2, y + by[1] / 2)
+    desk.page.mouse.move(x + by[0], y + by[1])
+    desk.page.mouse.up()
+
+
+def test_the_first_screen_belongs_to_the_arm(anna: Desk) -> None:
+    assert anna.value(LOOK) == "table"
+    seen = arm_in_picture(anna.page)
+    assert not seen.cut
+    assert seen.picture_of_page > 0.42
+    assert seen.height > 0.8
+    assert seen.of_picture > 0.09
+    # before the picture had a bar above it, in Overview: 0.026
+    assert seen.of_page > 0.04
+    covered = anna.value(
+        """(() => { const view = document.getElementById("canvas").getBoundingClientRect();
+        return [...document.querySelectorAll(".floor button, .border")].filter((one) => {
+          const box = one.getBoundingClientRect();
+          return box.width && box.left < view.right && box.right > view.left
+            && box.top < view.bottom && box.bottom > view.top; }).map((one) => one.id); })()"""
+    )
+    assert covered == []
+
+
+def test_borders_move_by_mouse_and_by_keys_and_are_remembered(anna: Desk) -> None:
+    desk, terminal, picture = (
+        width(anna, "desk"),
+        height(anna, "terminal-place"),
+        width(anna, "view"),
+    )
+    drag(anna, "desk-border", (-80, 0))
+    assert width(anna, "desk") == desk + 80
+    assert width(anna, "view") == picture - 80
+    drag(anna, "terminal-border", (0, -50))
+    assert height(anna, "terminal-place") == terminal + 50
+    anna.page.focus("#desk-border")
+    anna.page.keyboard.press("ArrowRight")
+    anna.page.keyboard.press("Shift+ArrowLeft")
+    assert width(anna, "desk") == desk + 80 - 16 + 64
+    anna.page.focus("#terminal-border")
+    anna.page.keyboard.press("ArrowDown")
+    assert height(anna, "terminal-place") == terminal + 34
+    said = anna.page.get_attribute("#desk-border", "aria-valuenow")
+    assert said == str(desk + 128)
+    anna.page.click("[data-look=front]")
+    again(anna)
+    assert (width(anna, "desk"), height(anna, "terminal-place")) == (desk + 128, terminal + 34)
+    assert anna.value(LOOK) == "front"
+    anna.page.focus("#desk-border")
+    anna.page.keyboard.press("End")
+    assert width(anna, "view") >= 320, "the picture keeps its place"
+    anna.page.keyboard.press("Home")
+    assert width(anna, "desk") == 320
+
+
+def test_parts_fold_by_button_and_by_key(anna: Desk) -> None:
+    page = anna.page
+    page.click("#fold-desk")
+    assert width(anna, "desk") == 0
+    assert page.get_attribute("#fold-desk", "aria-expanded") == "false"
+    assert page.get_attribute("#desk-border", "aria-valuetext") == "folded"
+    page.keyboard.press("Alt+t")
+    assert height(anna, "terminal-place") == 0
+    again(anna)
+    assert (width(anna, "desk"), height(anna, "terminal-place")) == (0, 0)
+    page.keyboard.press("Alt+m")
+    assert height(anna, "terminal-place") > 0, "who wants to type sees where"
+    page.focus("#desk-border")
+    page.keyboard.press("Enter")
+    assert width(anna, "desk") >= 320
+    page.keyboard.press("Alt+p")
+    page.keyboard.press("Alt+p")
+    assert width(anna, "desk") >= 320
+
+
+@pytest.mark.parametrize(
+    "kept",
+    [
+        "{",
+        "null",
+        '{"version":99,"desk":500}',
+        '{"version":1,"desk":"wide","terminal":1e9,"deskFolded":1,"look":"<b>"}',
+        "x" * 10_000,
+    ],
+)
+def test_what_is_no_layout_does_no_harm(anna: Desk, kept: str) -> None:
+    read = f"import('/web/live/layout/kept.js').then(m => m.layoutFrom({kept!r}))"
+    first = "import('/web/live/layout/kept.js').then(m => m.firstLayout())"
+    assert anna.value(read) == anna.value(first)
+
+
+def test_a_browser_without_storage_shows_the_page(anna: Desk) -> None:
+    anna.page.add_init_script(
+        """for (const name of ["getItem", "setItem"]) {
+        const before = Storage.prototype[name];
+        Storage.prototype[name] = function (key, ...rest) {
+          if (key === "vrts layout") throw new DOMException("no", "SecurityError");
+          return before.call(this, key, ...rest); }; }"""
+    )
+    again(anna)
+    assert anna.value(LOOK) == "table"
+    anna.page.click("#fold-desk")
+    assert width(anna, "desk") == 0
