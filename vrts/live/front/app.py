@@ -42,7 +42,7 @@ def application(settings: Settings, code: str, address: str, rooms: tuple[str, .
     async def lifespan(_: Starlette) -> AsyncGenerator[None, None]:
         await open_kept(hub)
         for room in hub.rooms.values():
-            sessions.begin(room, carries_on=True)
+            sessions.begin(room)
         if not hub.rooms:
             for name in rooms:
                 sessions.begin(await make_room(hub, name, settings.places[0].id))

@@ -42,6 +42,7 @@ class LoggedSession(NamedTuple):
     scene_sha256: str  # of what is drawn
     entries: tuple[Entry, ...]
     jumped: int = 0  # record after which session time was another one; 0: none
+    least_s: float = 0.0  # how far it has to go on at least: a command there was taken back
     over: bool = False  # another scene was asked for
     purged: int = 0  # the first record of which a part was purged; 0: none
     controller: str = FIRST.name  # model that it went by; before logs said so, the first
@@ -70,6 +71,10 @@ class _CarryOn(msgspec.Struct, frozen=True):
     at_s: float
 
 
+class _Without(msgspec.Struct, frozen=True):
+    seq: int  # of the record that does not count any more
+
+
 class _Command(msgspec.Struct, frozen=True):
     action: msgspec.Raw
     result: Done | None
@@ -96,6 +101,9 @@ def sessions_of(rows: Iterable[LogRow]) -> tuple[LoggedSession, ...]:
             stopped = msgspec.json.decode(row.text or b"", type=_CarryOn)
             entries.append(Entry(stopped.at_s, Halt(row.seq, stopped.at_s)))
             found[-1] = found[-1]._replace(number=row.session)
+        elif found and row.kind == "without":
+            seq = msgspec.json.decode(row.text or b"", type=_Without).seq
+            found[-1] = found[-1]._replace(jumped=row.seq, least_s=_take_back(entries, seq))
         elif found and row.session == found[-1].number and row.kind not in NO_COMMANDS:
             if row.text is None:
                 found[-1] = found[-1]._replace(purged=found[-1].purged or row.seq)
@@ -104,7 +112,7 @@ def sessions_of(rows: Iterable[LogRow]) -> tuple[LoggedSession, ...]:
             if entry is not None:
                 entries.append(entry)
             if row.kind in JUMPS:
-                found[-1] = found[-1]._replace(jumped=row.seq)
+                found[-1] = found[-1]._replace(jumped=row.seq, least_s=0.0)
     _close(found, entries)
     return tuple(found)
 
@@ -114,6 +122,20 @@ def _close(found: list[LoggedSession], entries: list[Entry]) -> None:
     if found:
         found[-1] = found[-1]._replace(entries=tuple(entries))
     entries.clear()
+
+
+def _take_back(entries: list[Entry], seq: int) -> float:
+    """Take off the last command, and what the server did after it; return when it was given [s]."""
+    at = next((n for n, entry in enumerate(entries) if entry.order.ref == seq), len(entries))
+    taken = entries[at:]
+    del entries[at:]
+    if not taken or (isinstance(taken[0].order, Act) and _jumps(taken[0].order)):
+        return 0.0
+    return taken[0].at_s
+
+
+def _jumps(order: Act) -> bool:
+    return order.action.__struct_config__.tag in JUMPS
 
 
 def _entry(row: LogRow, text: bytes) -> Entry | None:

@@ -1,10 +1,11 @@
-"""The session that a room had when the server ended, from its log."""
+"""The session that a room had when it or the server ended, from its log."""
 
 from typing import NamedTuple
 
 import msgspec
 
 from vrts.live.logs.logged_sessions import LogFault, LoggedSession, LogRow, sessions_of
+from vrts.live.session.channel.entries import Entry
 from vrts.live.store import log, progress
 from vrts.live.store.database import Connection
 from vrts.live.store.progress import Kept
@@ -15,6 +16,12 @@ class Unfinished(NamedTuple):
 
     session: LoggedSession
     until_s: float  # how far it had come
+
+    @property
+    def last(self) -> Entry | None:
+        """The last command that somebody gave; None: there is none."""
+        given = (one for one in reversed(self.session.entries) if one.done is not None)
+        return next(given, None)
 
 
 def unfinished(connection: Connection, room: str, scene: str) -> Unfinished | None:
@@ -42,7 +49,7 @@ def unfinished(connection: Connection, room: str, scene: str) -> Unfinished | No
         return None
     session.require_whole()
     until_s = progress.reached(connection, room, session.number, session.jumped)
-    return Unfinished(session, until_s)
+    return Unfinished(session, max(until_s, session.least_s))
 
 
 def log_row(kept: Kept) -> LogRow:

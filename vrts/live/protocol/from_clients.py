@@ -18,6 +18,7 @@ from vrts.live.protocol.from_supervisors import (
     CloseRoom,
     ExportLog,
     Freeze,
+    GoOn,
     HandOver,
     Kick,
     Lock,
@@ -50,6 +51,7 @@ FromClient = (
     | SetChat
     | SetTurn
     | SetScene
+    | GoOn
     | MakeRooms
     | CloseRoom
     | Broadcast

@@ -95,6 +95,14 @@ class State(Message, frozen=True, tag="state"):
     state: msgspec.Raw  # the session's `Snapshot`; null: it has ended, and another will begin
 
 
+class NoSession(Message, frozen=True, tag="no_session"):
+    """Why there is no session and none begins by itself; empty: there is one, or it comes."""
+
+    why: str = ""
+    help: str = ""  # what to do; told to supervisors only
+    choices: tuple[str, ...] = ()  # "again", "without_last", "anew"; told to supervisors only
+
+
 class Result(Message, frozen=True, tag="result"):
     """What became of a command: told to who gave it."""
 
@@ -163,6 +171,7 @@ FromServer = (
     | Happened
     | Now
     | State
+    | NoSession
     | Result
     | Refused
     | Reach

@@ -69,6 +69,12 @@ class SetScene(Strict, frozen=True, tag="set_scene"):
     scene: Id  # id of a `SceneEntry`
 
 
+class GoOn(Strict, frozen=True, tag="go_on"):
+    """Supervisor: try again with a session that has died too often (`NoSession`)."""
+
+    without_last: bool = False  # as if the last command had not been given
+
+
 class NewRoom(Strict, frozen=True, tag="room"):
     """A room to be made."""
 

@@ -32,6 +32,7 @@ class RoomEntry(msgspec.Struct, frozen=True):
     scene: str  # id of a `SceneEntry`
     task: str  # title; empty without one
     people: int
+    offered: bool = True  # the server has its scene; else there is no session in it
 
 
 class WallRow(msgspec.Struct, frozen=True):

@@ -78,6 +78,8 @@ def settle(hub: Hub, room: Room, state: bytes) -> None:
         )
         member.send(text_frame(encode(snapshot)))
         member.send(text_frame(encode(room.control_for(member))))
+        if room.waits is not None:
+            member.send(text_frame(encode(room.waits_for(member))))
         all_rooms = Rooms(hub.entries(member.account), hub.projector)
         member.send(text_frame(encode(all_rooms)))
 

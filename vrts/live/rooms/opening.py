@@ -19,8 +19,6 @@ MOST_ROOMS: Final = 64
 async def open_kept(hub: Hub) -> None:
     """Open the rooms that were open when the server ended."""
     for kept in await hub.database.do(open_rooms):
-        if hub.settings.place(kept.scene) is None:
-            kept = kept._replace(scene=hub.settings.places[0].id)
         await _open(hub, kept)
 
 

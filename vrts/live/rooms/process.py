@@ -2,6 +2,7 @@
 
 import asyncio
 import os
+import signal
 import sys
 import time
 from collections.abc import Callable
@@ -74,6 +75,7 @@ class SessionProcess:
         self.first_snapshot = 0  # number of the snapshot that everybody is sent
         self.scene = b""  # JSON of what is drawn
         self.failure = ""  # why it ended
+        self._ready_at = 0.0
 
     async def run(self) -> None:
         """Start the process and read it until it ends."""
@@ -155,6 +157,10 @@ class SessionProcess:
             self._send(Stop())
             self._process.stdin.close()
 
+    def went_on_s(self) -> float:
+        """Return for how long it has been ready [s]."""
+        return time.monotonic() - self._ready_at if self._ready_at else 0.0
+
     def _now(self) -> float:
         """Return the session time of now [s]."""
         return max(0.0, time.monotonic() - self._epoch)
@@ -171,7 +177,6 @@ class SessionProcess:
             while data := await process.stdout.read(CHUNK):
                 begun += data
                 self._take_all(_whole(begun))
-            self.failure = self.failure or "the session ended"
         except (msgspec.DecodeError, _BadLength):
             self.failure = "the session sent what cannot be read"
 
@@ -190,6 +195,7 @@ class SessionProcess:
             self._epoch = head.epoch_s
             self.scene = bytes(head.scene)
             self.ready = True
+            self._ready_at = time.monotonic()
         elif head.type == "failed":
             self.failure = head.text
         self._on_message(head, message)
@@ -205,10 +211,19 @@ class SessionProcess:
         except TimeoutError:
             process.kill()
             await process.wait()
+        self.failure = self.failure or _ending(process.returncode or 0)
 
 
 class _BadLength(Exception):  # noqa: N818 -- names the situation
     """What comes is no message."""
+
+
+def _ending(status: int) -> str:
+    """Return in words how a process ended."""
+    if status >= 0:
+        return f"its process ended with status {status}"
+    known = {int(one): one.name for one in signal.Signals}
+    return f"its process was killed by {known.get(-status, f'signal {-status}')}"
 
 
 def _whole(begun: bytearray) -> list[bytes]:

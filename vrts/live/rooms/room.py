@@ -13,7 +13,7 @@ from vrts.live.door import binary_frame, text_frame
 from vrts.live.looking.blocks import Blocks
 from vrts.live.protocol.coding import encode
 from vrts.live.protocol.fields import Role
-from vrts.live.protocol.from_server import Chat, Control, Message, Now, People
+from vrts.live.protocol.from_server import Chat, Control, Message, NoSession, Now, People
 from vrts.live.protocol.listed import Person, RoomEntry
 from vrts.live.rooms.audience import EVERYBODY, Audience
 from vrts.live.rooms.control import ControlRight
@@ -26,6 +26,7 @@ from vrts.live.store.rooms import HISTORY, KeptRoom
 
 REMEMBERED: Final = 4000  # reliable messages for those who come back
 REMEMBERED_BYTES: Final = 4 * 1024 * 1024
+PANIC: Final = b'{"type":"panic"}'  # as the log has it
 
 
 class Told(NamedTuple):
@@ -56,6 +57,8 @@ class Room:
     session: int = 0
     process: SessionProcess | None = None
     task: str = ""  # title
+    offered: bool = True  # the server has its scene
+    waits: NoSession | None = None  # for its supervisor, who has to choose; None: it does not
     frozen: bool = False
     logged: int = 0  # bytes of the log of the session
     log_full: bool = False  # that was told
@@ -68,6 +71,7 @@ class Room:
     status: bytes = b""  # JSON of the last `Status`
     placed: dict[str, msgspec.Raw] = field(default_factory=dict[str, msgspec.Raw])  # by body
     pace: int = FULL_RATE  # pose frames a second that the session makes
+    unheard: str = ""  # the last command that the session has not answered when it died
     halting: bool = False  # a panic is on its way
     frame: bytes = b""  # the last pose frame; empty: session time is another one since
     blocks: Blocks = field(default_factory=Blocks)  # of the session's past
@@ -84,7 +88,7 @@ class Room:
     def entry(self) -> RoomEntry:
         """The room as a list of rooms shows it."""
         kept = self.kept
-        return RoomEntry(kept.id, kept.name, kept.scene, self.task, self.crowd)
+        return RoomEntry(kept.id, kept.name, kept.scene, self.task, self.crowd, self.offered)
 
     @property
     def crowd(self) -> int:
@@ -192,7 +196,7 @@ class Room:
         """Pass a panic on at once; while one is on its way, another would change nothing."""
         if self.process is not None and self.process.ready and not self.halting:
             self.halting = True
-            self.ask(self.process.halt(), "panic", member, 0, b'{"type":"panic"}')
+            self.ask(self.process.halt(), "panic", member, 0, PANIC)
 
     # --- states ----------------------------------------------------------------------------------
 
@@ -220,6 +224,17 @@ class Room:
             idle_s=control.idle_s,
             ends=control.ends(),
         )
+
+    def show_waits(self, waits: NoSession | None) -> None:
+        """Tell everybody why there is no session, or that one comes."""
+        self.waits = waits
+        for member in self.members.values():
+            member.send(text_frame(encode(self.waits_for(member))))
+
+    def waits_for(self, member: Member) -> NoSession:
+        """Return what somebody may know of why there is no session."""
+        waits = self.waits or NoSession()
+        return waits if member.supervisor else NoSession(waits.why)
 
     def tell_people_soon(self) -> None:
         """Have everybody told soon who is here."""

@@ -1,7 +1,9 @@
 """Keeps a session going in every room, and hands on what the sessions say."""
 
 import asyncio
+import contextlib
 import hashlib
+import shutil
 import time
 from pathlib import Path
 from typing import Final
@@ -12,27 +14,38 @@ from vrts import __version__
 from vrts.live.logs.logged_sessions import JUMPS, LogFault
 from vrts.live.logs.unfinished import Unfinished, unfinished
 from vrts.live.protocol.coding import encode
-from vrts.live.protocol.from_server import Happened, Program, Reach, Refused, Result, State
+from vrts.live.protocol.from_server import (
+    Happened,
+    NoSession,
+    Program,
+    Reach,
+    Refused,
+    Result,
+    State,
+)
+from vrts.live.refusal import NotObeyed
+from vrts.live.rooms.again.deaths import Deaths
+from vrts.live.rooms.again.words import command_words, died_too_often, not_offered
 from vrts.live.rooms.audience import EVERYBODY, Audience
 from vrts.live.rooms.entering import settle
 from vrts.live.rooms.hub import Hub
 from vrts.live.rooms.keeping import log, log_soon, record, say, stamped
-from vrts.live.rooms.member import FULL_RATE
+from vrts.live.rooms.member import FULL_RATE, Member
 from vrts.live.rooms.process import Head, SessionProcess
-from vrts.live.rooms.room import Asked, Room
+from vrts.live.rooms.room import PANIC, Asked, Room
 from vrts.live.rooms.wall import learn_bodies
-from vrts.live.session.channel.entries import write_entries
-from vrts.live.session.channel.messages import Start
+from vrts.live.session.channel.entries import Entry, write_entries
+from vrts.live.session.channel.messages import Act, Halt, Start
 from vrts.live.session.growing.folder import empty
 from vrts.live.settings import SESSIONS
 from vrts.live.store import log as store_log
 from vrts.live.store.database import Failed
+from vrts.live.store.progress import keep_reached
 from vrts.live.store.rooms import next_number
 
-BEFORE: Final = "before.jsonl"  # in a session's folder: what was done before the server ended
+BEFORE: Final = "before.jsonl"  # in a session's folder: what was done before it ended
+LEFT: Final = 4  # folders of a room's earlier sessions that stay
 STARTING: Final = 2  # sessions that begin at the same time
-MOST_FAILURES: Final = 4  # in a row, after which a room waits for its supervisor
-WELL_S: Final = 60.0  # a session that went on for so long ends the row
 NOT_LOGGED: Final = "this was done, but could not be recorded: tell the supervisor"
 _NUMBERS: Final = 65_535
 
@@ -48,10 +61,11 @@ class Sessions:
         self._starting = asyncio.Semaphore(STARTING)
         self._wake: dict[str, asyncio.Event] = {}
 
-    def begin(self, room: Room, *, carries_on: bool = False) -> None:
-        """Keep a session going in a room until it is closed, the one it had or another."""
+    def begin(self, room: Room) -> None:
+        """Keep a session going in a room until it is closed: as its log says, or a new one."""
         self._wake[room.id] = asyncio.Event()
-        self._hub.spawn(self._keep_going(room, carries_on=carries_on))
+        room.offered = self._hub.settings.place(room.kept.scene) is not None
+        self._hub.spawn(self._keep_going(room))
 
     def stop(self) -> None:
         """Have no room wait for its supervisor any more: the server ends."""
@@ -59,34 +73,67 @@ class Sessions:
             wake.set()
 
     def begin_anew(self, room: Room) -> None:
-        """End the session of a room, so that another begins."""
+        """End the session of a room, of which the log says that another begins."""
         self._wake[room.id].set()
         if room.process is not None:
             room.process.stop()
 
-    async def _keep_going(self, room: Room, *, carries_on: bool) -> None:
+    async def go_on(self, room: Room, member: Member, *, without_last: bool) -> None:
+        """Try again with a session that has died too often.
+
+        Raises:
+            NotObeyed: It does not wait for that.
+        """
+        if room.waits is None or not room.offered:
+            raise NotObeyed("session", "this room does not wait for a session to go on")
+        if without_last:
+            before = await self._hub.database.do(lambda c: unfinished(c, room.id, room.kept.scene))
+            if before is None or before.last is None:
+                raise NotObeyed("session", "there is no command that could be left out")
+            text = encode({"seq": before.last.order.ref}).decode()
+            taken = stamped(room, "without", member.account, text, at_s=0.0, accepted=True)
+            await log(self._hub, taken)
+        self._wake[room.id].set()
+
+    async def _keep_going(self, room: Room) -> None:
         hub, wake = self._hub, self._wake[room.id]
-        failures = 0
+        deaths = Deaths()
         while not hub.stopping and room.id in hub.rooms:
             wake.clear()
-            began = time.monotonic()
-            before = await self._before(room) if carries_on else None
-            carries_on = False
+            room.offered = hub.settings.place(room.kept.scene) is not None
+            if not room.offered:
+                await self._wait(room, not_offered(room.kept.scene))
+                continue
+            before = await self._before(room)
             process = await self._one(room, before)
             if wake.is_set() or hub.stopping or room.id not in hub.rooms:
-                failures = 0
+                deaths = Deaths()
                 continue
-            failures = 1 if time.monotonic() - began > WELL_S else failures + 1
+            last = await self._last(room)
+            too_often = deaths.died(0 if last is None else last.order.ref, process.went_on_s())
             text = f"the session ended: {process.failure}"
-            if failures < MOST_FAILURES:
-                await say(hub, room, None, f"{text}; it begins again", EVERYBODY, None)
-                await asyncio.sleep(0.5 * 2**failures)
-            else:
-                help_ = "the supervisor can begin it again"
-                await say(hub, room, None, f"{text}; {help_}", EVERYBODY, None)
-                await wake.wait()
-                failures = 0
+            if not too_often:
+                await self._say(room, f"{text}; it goes on from its log")
+                with contextlib.suppress(TimeoutError):
+                    await asyncio.wait_for(wake.wait(), deaths.pause_s)
+                continue
+            unheard, words = room.unheard, "" if last is None else _words(last.order)
+            waits = died_too_often(
+                process.failure, deaths.row, unheard or words, recorded=not unheard
+            )
+            await self._say(room, f"{text}; the supervisor can choose how to go on")
+            await self._wait(room, waits)
+            deaths = Deaths()
         self._wake.pop(room.id, None)
+
+    async def _wait(self, room: Room, waits: NoSession) -> None:
+        """Wait for a room's supervisor."""
+        room.show_waits(waits)
+        self._hub.rooms_changed()
+        settle(self._hub, room, b"null")
+        await self._wake[room.id].wait()
+        room.show_waits(None)
+        self._hub.rooms_changed()
 
     async def _before(self, room: Room) -> Unfinished | None:
         """Return the session that a room had; where it cannot go on, say so."""
@@ -96,8 +143,18 @@ class Sessions:
             await self._say_anew(room, str(problem))
             return None
 
+    async def _last(self, room: Room) -> Entry | None:
+        """Return the last command that is in the log of a room's session."""
+        try:
+            before = await self._hub.database.do(lambda c: unfinished(c, room.id, room.kept.scene))
+        except LogFault:  # which is told before the next one begins
+            return None
+        return None if before is None else before.last
+
     async def _say_anew(self, room: Room, why: str) -> None:
-        text = f"the server was started again, and the session begins again: {why}"
+        await self._say(room, f"the session cannot go on, and begins again: {why}")
+
+    async def _say(self, room: Room, text: str) -> None:
         await say(self._hub, room, None, text, EVERYBODY, None)
 
     async def _one(self, room: Room, before: Unfinished | None) -> SessionProcess:
@@ -106,7 +163,8 @@ class Sessions:
         number = await hub.database.do(lambda connection: next_number(connection, "session"))
         room.session = number % _NUMBERS + 1
         room.pace = FULL_RATE
-        place = hub.settings.place(room.kept.scene) or hub.settings.places[0]
+        place = hub.settings.place(room.kept.scene)
+        assert place is not None
         folder = hub.settings.folder / SESSIONS / f"{room.id}-{number}"
         begun = False
 
@@ -136,7 +194,9 @@ class Sessions:
         await self._starting.acquire()
         try:
             room.process = process
-            await process.run()
+            room.unheard = ""
+            if not self._wake[room.id].is_set():
+                await process.run()
         finally:
             if not begun:
                 self._starting.release()
@@ -241,6 +301,8 @@ class Sessions:
         """Tell that there is no session now, and those who wait for answers that none will come."""
         asked, room.asked = room.asked, {}
         room.halting = False
+        if (reached := room.reached) is not None:  # later than what the pulse has kept
+            self._hub.spawn(self._hub.database.do(lambda c: keep_reached(c, (reached,))))
         room.status = room.frame = b""
         room.placed.clear()
         room.blocks.forget()
@@ -250,11 +312,16 @@ class Sessions:
                 refused = Refused(one.of, "session", "the session ended before it answered")
                 member.tell(refused)
             if one.action:
+                room.unheard = command_words(one.action)
                 text = encode({"action": _RAW(one.action), "result": None}).decode()
                 entry = stamped(room, one.kind, None, text, at_s=0.0, accepted=False)
                 log_soon(self._hub, entry._replace(account=one.account, name=one.name))
         settle(self._hub, room, b"null")
         room.show(State(room.session, "", _RAW(b"null")))
+
+
+def _words(order: Act | Halt) -> str:
+    return command_words(encode(order.action) if isinstance(order, Act) else PANIC)
 
 
 def _with_before(start: Start, file: Path, before: Unfinished) -> Start:
@@ -272,11 +339,17 @@ def _with_before(start: Start, file: Path, before: Unfinished) -> Start:
 
 
 async def _empty_earlier(own: Path, room: str) -> None:
-    """Remove users' files from the earlier folders of a room; its session has made them again."""
+    """Remove users' files from the earlier folders of a room; its session has made them again.
+
+    Only the last of the folders stay, with what their sessions said on stderr.
+    """
 
     def work() -> None:
-        for folder in own.parent.glob(f"{room}-*"):
-            if folder != own:
-                empty(folder)
+        earlier = [folder for folder in own.parent.glob(f"{room}-*") if folder != own]
+        earlier.sort(key=lambda folder: int(folder.name.rpartition("-")[2]))
+        for folder in earlier:
+            empty(folder)
+        for folder in earlier[:-LEFT]:
+            shutil.rmtree(folder, ignore_errors=True)
 
     await asyncio.to_thread(work)

@@ -10,6 +10,7 @@ from vrts.live.protocol.from_supervisors import (
     CloseRoom,
     ExportLog,
     Freeze,
+    GoOn,
     HandOver,
     Kick,
     Lock,
@@ -42,6 +43,7 @@ Supervision = (
     | SetChat
     | SetTurn
     | SetScene
+    | GoOn
     | MakeRooms
     | CloseRoom
     | Broadcast
@@ -83,6 +85,8 @@ async def supervise(
             room.show_control()
         case SetScene():
             await _set_scene(hub, sessions, room, member, message.scene)
+        case GoOn():
+            await sessions.go_on(room, member, without_last=message.without_last)
         case MakeRooms():
             await _make_rooms(hub, sessions, message)
         case CloseRoom():

@@ -21,6 +21,7 @@ export const FROM_CLIENT = {
   set_chat: ["on"],
   set_turn: ["turn_s", "idle_s"],
   set_scene: ["scene"],
+  go_on: ["without_last"],
   make_rooms: ["rooms"],
   close_room: ["room"],
   broadcast: ["text", "scene"],
@@ -57,6 +58,7 @@ export const FROM_SERVER = {
   event: ["number", "event"],
   now: ["status"],
   state: ["session", "scene_url", "state"],
+  no_session: ["why", "help", "choices"],
   result: ["number", "of", "result"],
   refused: ["of", "code", "text", "help"],
   reached: ["of", "result"],
@@ -90,7 +92,7 @@ export const LONGEST_CHAT = 1000; // characters
  * @typedef {{type: string, [field: string]: any}} Message
  * @typedef {{id: string, name: string, role: "viewer"|"operator"|"supervisor", hand: boolean, muted: boolean,
  *   away: boolean, rate: number}} Person
- * @typedef {{id: string, name: string, scene: string, task: string, people: number}} RoomEntry
+ * @typedef {{id: string, name: string, scene: string, task: string, people: number, offered: boolean}} RoomEntry
  * @typedef {{id: string, task: boolean}} SceneEntry
  * @typedef {{number: number, at: number, person: string, name: string, text: string, private: boolean, to: string}} Chat
  * @typedef {{holder: string, lease: string, queue: string[], locked: boolean, frozen: boolean, chat: boolean,

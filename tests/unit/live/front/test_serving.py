@@ -99,6 +99,7 @@ SUPERVISION: list[dict[str, Any]] = [
     {"type": "set_chat", "on": False},
     {"type": "set_turn", "turn_s": 1, "idle_s": 1},
     {"type": "set_scene", "scene": "one-can-ur5"},
+    {"type": "go_on", "without_last": True},
     {"type": "make_rooms", "rooms": [{"name": "x", "scene": "cans-on-bases"}]},
     {"type": "close_room", "room": "x"},
     {"type": "broadcast", "text": "x"},

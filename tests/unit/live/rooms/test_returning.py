@@ -144,15 +144,3 @@ def test_an_endless_program_delays_nobody(tmp_path: Path) -> None:
             assert times[-1] - times[0] > 1.0, "session time follows the clock"
         anna.send("panic")
         anna.wait("now", lambda m: m["status"]["mode"] != "running")
-
-
-def test_a_session_that_dies_begins_anew(tmp_path: Path) -> None:
-    with LiveServer(tmp_path / "live") as server:
-        anna = settled(server, "Anna")
-        (session,) = psutil.Process(server.process.pid).children()
-        session.kill()
-        anna.wait("chat", lambda m: "begins again" in m["text"])
-        anna.wait("state")
-        lease = anna.take_control()
-        number = anna.command(lease, "line", line="DO READY")
-        assert anna.wait("result", lambda m: m["of"] == number)["result"]["accepted"]

@@ -66,7 +66,7 @@ def test_messages_in_pieces_are_whole_again(
     took, failure = heard(tmp_path, monkeypatch, data, size=7, pause=0.002)
     assert [t for t in took if t.startswith("note")] == ["note a", "note " + "b" * 100]
     assert took[-2:] == ["pose 2", "note " + "b" * 100]
-    assert failure == "the session ended"
+    assert failure == "its process ended with status 0"
 
 
 def test_of_poses_that_were_not_read_in_time_only_the_last_is_taken(

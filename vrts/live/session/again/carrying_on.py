@@ -1,4 +1,4 @@
-"""A session carried on after its server has ended: all that was done is done again, exactly.
+"""A session carried on after it or its server has ended: all that was done is done again, exactly.
 
 What the machine answers is compared with what it answered before, so a session either stands where
 it stood, or is not carried on.
@@ -16,8 +16,9 @@ from vrts.live.session.channel.messages import Done, News
 from vrts.live.session.live_session import Session
 
 LONGEST = 300.0  # [s] of processor time; an hour of a class takes a few
+EFFECT = 0.1  # [s] of session time after the last command: it takes effect at the next tick
 STRETCH = 10.0  # [s] of session time between looks whether to go on
-STOPPED = "the server was started again: arm and programs were stopped, the session goes on"
+STOPPED = "the session was started again: arm and programs were stopped, and it goes on"
 
 _entry = msgspec.json.Decoder(Entry)
 
@@ -74,7 +75,8 @@ def carry_on(
         session: One that has just begun.
         voice: Its own, that speaks to nobody yet.
         entries: What was done, with what was answered.
-        until_s: How far it had come [s]; commands may have come later.
+        until_s: How far it had come [s]; commands may have come later. What was
+            acknowledged takes effect before it is stopped.
         wanted: Asked now and then whether anybody still waits for it.
 
     Raises:
@@ -106,7 +108,7 @@ def carry_on(
             session.repeat(entry.order, entry.at_s)
             if not same_answer(entry.done, voice.done):
                 raise CannotCarryOn("what was done has other results now")
-        go_on(max(until_s, session.growing.time_s))
+        go_on(max(until_s, session.growing.time_s + EFFECT))
     except ValueError as problem:  # an order before the one that came earlier
         raise CannotCarryOn(f"its log does not fit: {problem}") from problem
     session.stand_still(STOPPED)
