@@ -103,7 +103,9 @@ def command(
 
     After a crash, start it with the same folder. Every room goes on where it was, with arm and
     programs stopped: the server repeats exactly what the log says. If it cannot, for another scene
-    or a purged user, the room begins again and is told why.
+    or a purged user, the room begins again and is told why. A session whose process dies goes on
+    in the same way. If it dies four times in a row, the supervisor chooses how to go on. A room
+    whose scene is not among SCENES keeps its log and waits until it is.
 
     A session can be rewound to any moment and saved as a program. What is older than ten minutes
     goes to a file. When the file reaches `--history-quota`, the oldest part is forgotten. The log

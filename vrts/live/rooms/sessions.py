@@ -121,7 +121,6 @@ class Sessions:
             waits = died_too_often(
                 process.failure, deaths.row, unheard or words, recorded=not unheard
             )
-            await self._say(room, f"{text}; the supervisor can choose how to go on")
             await self._wait(room, waits)
             deaths = Deaths()
         self._wake.pop(room.id, None)

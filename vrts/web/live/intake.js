@@ -30,11 +30,12 @@ export class Intake {
         if (!message.resumed) store.set({ chat: [] });
         break;
       case "snapshot":
-        store.set({ room: message.room, rooms: message.rooms, scenes: message.scenes });
+        store.set({ room: message.room, rooms: message.rooms, scenes: message.scenes, noSession: null });
         if (message.chat.length) store.set({ chat: message.chat });
         this.state(message);
         break;
       case "state": this.state(message); break;
+      case "no_session": store.set({ noSession: /** @type {any} */ (message) }); break;
       case "people": store.set({ people: message.people, barred: message.barred }); break;
       case "control": store.set({ control: /** @type {any} */ (message) }); break;
       case "chat": store.set({ chat: [...store.now.chat, /** @type {any} */ (message)].slice(-MOST_CHAT) }); break;

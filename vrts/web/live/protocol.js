@@ -94,6 +94,7 @@ export const LONGEST_CHAT = 1000; // characters
  *   away: boolean, rate: number}} Person
  * @typedef {{id: string, name: string, scene: string, task: string, people: number, offered: boolean}} RoomEntry
  * @typedef {{id: string, task: boolean}} SceneEntry
+ * @typedef {{why: string, help: string, choices: string[]}} NoSession
  * @typedef {{number: number, at: number, person: string, name: string, text: string, private: boolean, to: string}} Chat
  * @typedef {{holder: string, lease: string, queue: string[], locked: boolean, frozen: boolean, chat: boolean,
  *   turn_s: number, idle_s: number, ends: number}} Control

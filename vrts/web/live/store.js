@@ -15,6 +15,7 @@
  * @property {number} session
  * @property {string} sceneUrl
  * @property {boolean} alive whether the session runs
+ * @property {import("./protocol.js").NoSession | null} noSession why none begins by itself
  * @property {import("./protocol.js").Person[]} people
  * @property {string[]} barred names of those who were sent away, for supervisors
  * @property {import("./protocol.js").Control} control
@@ -32,7 +33,7 @@
 function nothing() {
   return {
     connection: "connecting", ended: "", you: "", name: "", supervisor: false, alone: false, room: null, rooms: [], projector: "",
-    scenes: [], session: -1, sceneUrl: "", alive: false, people: [], barred: [], chat: [], status: null, programs: [],
+    scenes: [], session: -1, sceneUrl: "", alive: false, noSession: null, people: [], barred: [], chat: [], status: null, programs: [],
     contacts: [], near: [], events: [], output: "", wall: [],
     control: { holder: "", lease: "", queue: [], locked: false, frozen: false, chat: true, turn_s: 0, idle_s: 0, ends: 0 },
   };

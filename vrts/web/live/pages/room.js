@@ -16,6 +16,7 @@ import { mountEntrance } from "../panels/entrance.js";
 import { mountHistory } from "../panels/history.js";
 import { mountLead } from "../panels/lead.js";
 import { mountMonitor } from "../panels/monitor.js";
+import { mountNoSession } from "../panels/no_session.js";
 import { mountOverlay } from "../panels/overlay.js";
 import { mountPendant } from "../panels/pendant.js";
 import { mountPeople } from "../panels/people.js";
@@ -97,8 +98,11 @@ export function started(room, follow) {
     panic: () => connection.send("panic") || toasts.warn("there is no connection: the arm cannot be stopped from here"),
   };
   connection.rate = wantedRate();
+  mountNoSession(app);
+  store.on(["sceneUrl", "noSession"], ({ sceneUrl, noSession }) => {
+    byId("no-scene").hidden = Boolean(sceneUrl || noSession?.why);
+  });
   store.on(["sceneUrl"], ({ sceneUrl }) => {
-    byId("no-scene").hidden = Boolean(sceneUrl);
     world.load(sceneUrl).catch((error) => noView(error, toasts));
   });
   store.on(["contacts"], ({ contacts }) => (world.contacts = contacts));

@@ -29,7 +29,7 @@ export function mountTop({ store, connection, toasts, panic }) {
     document.title = `${room?.name ?? "Room"} · vrts`;
     byId("room-pick").hidden = rooms.length < 2;
     byId("room-name").classList.toggle("unseen", rooms.length >= 2);
-    byId("room-choice").replaceChildren(...rooms.map(({ id, name }) => make("option", { value: id, text: name, selected: id === room?.id })));
+    byId("room-choice").replaceChildren(...rooms.map(({ id, name, offered }) => make("option", { value: id, text: offered ? name : `${name} (scene not offered)`, selected: id === room?.id })));
     byId("task-name").hidden = !room?.task;
     write(byId("task-name"), room?.task ?? "");
   });
