@@ -14,8 +14,9 @@ Needs the group [ide]: pip install "vrts[ide]"
 
 
 @click.command(name="lsp", epilog=EPILOG)
+@click.option("--no-runs", is_flag=True, help="Run no program in the background: texts alone.")
 @guarded
-def command() -> None:
+def command(no_runs: bool) -> None:
     """Help an editor with programs while they are written (Language Server Protocol, stdio).
 
     A program without errors is run in the background, in the scene of the task.toml beside it:
@@ -29,4 +30,4 @@ def command() -> None:
         fail(f"the package {missing.name} is not installed", ('pip install "vrts[ide]"',))
     incoming, outgoing = sys.stdin.buffer, sys.stdout.buffer
     sys.stdout = sys.stderr  # nothing but messages goes to the client
-    serve(incoming, outgoing)
+    serve(incoming, outgoing, runs=not no_runs)

@@ -9,7 +9,9 @@ from starlette.routing import Route, WebSocketRoute
 from starlette.types import ASGIApp
 from starlette.websockets import WebSocket
 
+from vrts.live.editing.seats import Seats
 from vrts.live.front.guard import Guard
+from vrts.live.front.help_socket import serve_help
 from vrts.live.front.http import Pages
 from vrts.live.front.origin import Names
 from vrts.live.front.past import PastPages
@@ -34,6 +36,7 @@ def application(settings: Settings, code: str, address: str, rooms: tuple[str, .
     """
     hub = Hub(settings, Database(settings.folder / DATABASE))
     sessions = Sessions(hub)
+    seats = Seats()
     pages = Pages(hub, StaticFiles(), code, address)
 
     past = PastPages(hub, pages.who)
@@ -50,12 +53,17 @@ def application(settings: Settings, code: str, address: str, rooms: tuple[str, .
         gc.collect()
         gc.freeze()  # what is loaded is needed for good: no collection has to look at it again
         yield
+        seats.stop()
         sessions.stop()
         await hub.stop()
 
     async def socket(websocket: WebSocket) -> None:
         account = await pages.who(websocket.cookies)
         await serve_socket(hub, sessions, websocket, account)
+
+    async def help_(websocket: WebSocket) -> None:
+        account = await pages.who(websocket.cookies)
+        await serve_help(seats, websocket, account)
 
     app = Starlette(
         lifespan=lifespan,
@@ -74,6 +82,7 @@ def application(settings: Settings, code: str, address: str, rooms: tuple[str, .
             Route("/code", pages.code),
             Route("/code.svg", pages.code_picture),
             WebSocketRoute("/ws", socket),
+            WebSocketRoute("/lsp", help_),
         ],
     )
     return Guard(app, Names(settings.names), secure=settings.secure)

@@ -34,7 +34,7 @@ def register(session: Session) -> None:
             return None
         about = found.about
         place = found.place
-        if place is not None:
+        if place is not None and server.runs:
             reached = await server.aside(lambda: server.reaching.text(document.path, place))
             about += f"\n\n```\n{reached}\n```" if reached else ""
         text = f"```val2\n{found.code}\n```\n{about}"

@@ -16,8 +16,13 @@ SWITCH_S = 0.001  # how soon the thread that checks lets an answer through
 RARELY = (50_000, 50, 50)  # collections: summaries are many, live long and have no cycles
 
 
-def serve(incoming: BinaryIO, outgoing: BinaryIO) -> None:
+def serve(incoming: BinaryIO, outgoing: BinaryIO, *, runs: bool = True) -> None:
     """Serve one client until it leaves or is gone.
+
+    Args:
+        incoming: What the client says.
+        outgoing: What it is told.
+        runs: Whether programs are run in the background, in processes beside this one.
 
     Raises:
         KeyboardInterrupt: Ctrl-C ended it.
@@ -25,7 +30,7 @@ def serve(incoming: BinaryIO, outgoing: BinaryIO) -> None:
     sys.setrecursionlimit(DEPTH)  # once for all threads: it counts for the whole process
     sys.setswitchinterval(SWITCH_S)
     gc.set_threshold(*RARELY)
-    session = session_with_features()
+    session = session_with_features(runs=runs)
     try:
         with _interruptible():
             session.start_io(cast(BinaryIO, Bounded(incoming)), outgoing)
@@ -55,9 +60,9 @@ def _interruptible() -> Generator[None]:
         raise KeyboardInterrupt
 
 
-def session_with_features() -> Session:
+def session_with_features(*, runs: bool = True) -> Session:
     """Return a server that answers everything it can."""
-    session = Session()
+    session = Session(runs=runs)
     for features in (syncing, outlining, helping, referring, colours, mending, running):
         features.register(session)
     return session

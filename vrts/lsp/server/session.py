@@ -35,7 +35,9 @@ DELAY_S = 0.15  # after the last key, before a buffer is checked
 class Session(LanguageServer):
     """The server, which serves one client."""
 
-    def __init__(self) -> None:
+    def __init__(self, *, runs: bool = True) -> None:
+        """Begin; `runs`: whether processes beside it run programs and know an arm."""
+        self.runs = runs
         super().__init__("vrts", __version__)  # pyright: ignore[reportUnknownMemberType]
         self.documents = Documents()
         self._uris: dict[str, str] = {}  # of open buffers, as the client writes them
@@ -158,7 +160,7 @@ class Session(LanguageServer):
             self._found[document.path] = document, found
             if not is_whole:
                 self.reading.begin(folder)
-            if _has_error(found) or not is_whole:
+            if _has_error(found) or not is_whole or not self.runs:
                 self.verifications.cancel(document.path)
             else:
                 self.verifications.want(subject)

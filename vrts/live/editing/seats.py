@@ -1,0 +1,59 @@
+"""Who has a language server: each person one, all together so many."""
+
+import asyncio
+import time
+from tempfile import TemporaryDirectory
+from typing import Final
+
+from vrts.live.limits import Bucket
+
+MOST: Final = 40  # at once; each takes about 55 MB
+BEGUN: Final = (0.1, 6.0)  # by one person, a second and at once: each costs 0.6 s of processor
+REMEMBERED: Final = 2000  # persons whose beginnings are counted
+
+
+class Seat:
+    """The right to one language server."""
+
+    def __init__(self, account: int) -> None:
+        """Give it to somebody."""
+        self.account = account
+        self.taken = asyncio.Event()  # somebody else has it now, or the server ends
+
+
+class Seats:
+    """Gives seats, and takes back that of a person who opens the editor once more."""
+
+    def __init__(self, most: int = MOST) -> None:
+        """Begin with none given."""
+        self._most = most
+        self._of: dict[int, Seat] = {}
+        self._begun: dict[int, Bucket] = {}
+        self._folder = TemporaryDirectory(prefix="vrts-editing-")
+        self.folder = self._folder.name  # stays empty
+
+    def take(self, account: int) -> Seat | None:
+        """Return a seat; None where all are given to others, or somebody begins too often."""
+        bucket = self._begun.setdefault(account, Bucket(*BEGUN))
+        if not bucket.take(time.monotonic()):
+            return None
+        while len(self._begun) > REMEMBERED:
+            del self._begun[next(iter(self._begun))]
+        before = self._of.get(account)
+        if before is not None:
+            before.taken.set()
+        elif len(self._of) >= self._most:
+            return None
+        seat = self._of[account] = Seat(account)
+        return seat
+
+    def give_back(self, seat: Seat) -> None:
+        """Take a seat back from who has no use for it."""
+        if self._of.get(seat.account) is seat:
+            del self._of[seat.account]
+
+    def stop(self) -> None:
+        """Take all seats back."""
+        for seat in self._of.values():
+            seat.taken.set()
+        self._folder.cleanup()
