@@ -1,9 +1,22 @@
 // Which moment of the session's past this page looks at, for everybody on the page who wants to lead there.
 
+/**
+ * @typedef {object} Then what was at that moment, as the status shows it
+ * @property {number[]} location X Y Z [mm] O A T [degrees]
+ * @property {string} mode
+ * @property {string} program
+ * @property {number} line of the program's text; 0: none
+ * @property {string} text of that line
+ * @property {string} held body in the hand
+ * @property {number} contacts that had begun
+ */
+
 /** @type {number | null} */
 let moment = null; // session time [s]; null: what is now
 /** @type {((at_s: number | null) => void)[]} */
 const watchers = [];
+/** @type {((then: Then | null) => void)[]} */
+const readers = [];
 
 /** Look at a moment of the past, alone: nobody else's page changes. @param {number} at_s session time [s] */
 export function look(at_s) {
@@ -24,6 +37,16 @@ export function lookedAt() {
 export function onLook(tell) {
   watchers.push(tell);
   tell(moment);
+}
+
+/** Tell what was then; null: what is now counts again. @param {Then | null} then */
+export function tellThen(then) {
+  for (const tell of readers) tell(then);
+}
+
+/** Be told what was at the moment that is looked at. @param {(then: Then | null) => void} tell */
+export function onThen(tell) {
+  readers.push(tell);
 }
 
 /** @param {number | null} at_s */

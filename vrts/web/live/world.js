@@ -5,6 +5,7 @@ import { armFrames } from "../viewer/kinematics.js";
 import { compose, identity, poseFrom } from "../viewer/poses.js";
 import { VIEWS, Viewer } from "../viewer/viewer.js";
 import { framed, worked } from "./layout/framing.js";
+import { lookedAt } from "./looking.js";
 import { Motion } from "./motion.js";
 import { onTheme, theme } from "./themes.js";
 
@@ -15,6 +16,7 @@ const RAISED = 0.42; // by which the overview looks higher than the reports' [m]
 
 /** @typedef {import("../viewer/replay.js").State} State */
 /** @typedef {import("../viewer/viewer.js").SceneData} SceneData */
+/** @typedef {{state: State, outputs: number, flags: number}} Seen */
 
 /** Shows what the last frames say, at the screen's own rate. */
 export class World {
@@ -40,6 +42,11 @@ export class World {
     this.beginning = "overview"; // view point from which a scene is seen at first
     /** @type {((name: string, chosen: boolean) => void)[]} */
     this.lookWatchers = [];
+    this.now = 0; // session time that is shown where nobody looks at the past [s]
+    /** @type {(() => Seen | null) | null} what to show instead of what is now */
+    this.elsewhere = null;
+    /** @type {(() => void)[]} told when session time jumps */
+    this.jumpWatchers = [];
     this.url = "";
     onTheme(() => this.viewer?.setTheme(theme()));
     const tick = () => {
@@ -109,27 +116,34 @@ export class World {
   /** Session time has jumped. */
   forget() {
     this.motion.clear();
+    for (const tell of this.jumpWatchers) tell();
   }
 
   /** @param {number} now [s] */
   tick(now) {
     const shown = this.motion.at(now);
     if (!shown || !this.viewer) return;
-    const q = new Float64Array(7);
-    q.set(shown.joints);
-    q[6] = shown.hand;
-    const { X_BL, X_BF } = armFrames(this.viewer.data.robot.arm, q);
-    const { poses, held } = this.bodies.at(shown.t, X_BF);
-    const state = { t: shown.t, q, v: new Float64Array(7), X_WL: X_BL, X_WF: X_BF, X_WT: compose(X_BF, this.X_FT), bodies: poses, held };
+    this.now = shown.t;
+    const { state, outputs, flags } = this.elsewhere?.() ?? { state: this.live(shown, this.viewer), outputs: shown.outputs, flags: shown.flags };
     if (this.changed(state)) {
       this.viewer.show(state);
     }
     const first = !this.state;
     this.state = state;
     if (first) this.lookFrom(this.beginning, false); // now that it is known how the arm stands
-    const lit = this.lit(shown.t);
+    const lit = this.lit(state.t);
     this.viewer.highlight(lit.length ? this.mark(lit) : null);
-    for (const tell of this.watchers) tell(state, shown.outputs, shown.flags);
+    for (const tell of this.watchers) tell(state, outputs, flags);
+  }
+
+  /** Return what is now. @param {import("./motion.js").Shown} shown @param {Viewer} viewer @returns {State} */
+  live(shown, viewer) {
+    const q = new Float64Array(7);
+    q.set(shown.joints);
+    q[6] = shown.hand;
+    const { X_BL, X_BF } = armFrames(viewer.data.robot.arm, q);
+    const { poses, held } = this.bodies.at(shown.t, X_BF);
+    return { t: shown.t, q, v: new Float64Array(7), X_WL: X_BL, X_WF: X_BF, X_WT: compose(X_BF, this.X_FT), bodies: poses, held };
   }
 
   /** Whether there is anything new to draw. @param {State} state */
@@ -146,6 +160,7 @@ export class World {
   /** Return the contacts to be lit up at a time. @param {number} t [s] */
   lit(t) {
     if (!this.showContacts) return [];
+    if (lookedAt() !== null) return this.contacts.filter(({ start, end }) => start <= t && t <= end);
     return this.contacts.filter(({ start, end, heard }) => start <= t && t <= Math.max(end, heard ?? end) + AFTERGLOW);
   }
 

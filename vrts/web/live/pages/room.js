@@ -10,6 +10,8 @@ import { mountSelection } from "../selection.js";
 import { Store } from "../store.js";
 import { Toasts } from "../toasts.js";
 import { World } from "../world.js";
+import { backToLive } from "../looking.js";
+import { mountPast } from "../past/past.js";
 import { mountButtons } from "../panels/buttons.js";
 import { mountChat } from "../panels/chat.js";
 import { mountEntrance } from "../panels/entrance.js";
@@ -50,6 +52,7 @@ export function showRoom(me, wanted) {
   mountSelection(app.world);
   mountOverlay(app);
   mountStatus(app);
+  mountPast(app);
   mountTabs(app);
   mountMonitor(app);
   mountButtons(app);
@@ -77,7 +80,7 @@ export function started(room, follow) {
   const intake = new Intake(store, bodies, {
     refused: (message) => toasts.warn(new Refusal(/** @type {any} */ (message)).message),
     jumped: () => world.forget(),
-    now: () => world.state?.t ?? 0,
+    now: () => world.now,
   });
   const connection = new Connection({
     message: (message) => intake.take(message),
@@ -86,6 +89,7 @@ export function started(room, follow) {
   });
   /** @param {import("../protocol.js").Message} action */
   async function command(action) {
+    backToLive(); // who acts sees what follows
     /** @type {import("../protocol.js").Done} */
     const done = await connection.ask("command", { lease: store.now.control.lease, action }, "number");
     if (!done.accepted) throw new Refusal(done);
@@ -95,7 +99,7 @@ export function started(room, follow) {
   const app = {
     store, connection, world, toasts, command,
     act: (action) => void command(action).catch((error) => toasts.warn(error.message)),
-    panic: () => connection.send("panic") || toasts.warn("there is no connection: the arm cannot be stopped from here"),
+    panic: () => (backToLive(), connection.send("panic")) || toasts.warn("there is no connection: the arm cannot be stopped from here"),
   };
   connection.rate = wantedRate();
   mountNoSession(app);

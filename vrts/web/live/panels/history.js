@@ -1,6 +1,7 @@
 // What happened: contacts, near misses and events by time; back to an earlier moment.
 
 import { byId, button, make, onSubmit } from "../dom.js";
+import { look } from "../looking.js";
 
 const MOST = 200; // rows
 const PAUSE = 400; // between drawings at least [ms]
@@ -12,7 +13,9 @@ export function mountHistory({ store, world, command, toasts }) {
   lights.checked = true;
   const body = make("tbody", { click: (/** @type {MouseEvent} */ event) => {
     const row = /** @type {HTMLElement} */ (event.target).closest("tr");
-    if (row?.dataset.time) time.value = row.dataset.time;
+    if (!row?.dataset.time) return;
+    time.value = row.dataset.time;
+    look(Number(row.dataset.at));
   } });
   const none = make("p", { class: "soft", text: "Nothing has happened yet." });
   const box = make("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Events" },
@@ -24,7 +27,7 @@ export function mountHistory({ store, world, command, toasts }) {
   const reset = button("Reset the scene", () => attempt({ type: "reset" }));
   panel.append(
     make("label", { class: "check" }, lights, "Light up and report contacts"), none, box,
-    make("div", { class: "block" }, make("h2", { text: "Go back" }), make("p", { class: "soft", text: "Press an event to take its time." }), make("div", { class: "row" }, reset, rewind)),
+    make("div", { class: "block" }, make("h2", { text: "Go back" }), make("p", { class: "soft", text: "Press an event to look at it, alone, and to take its time. Rewind takes everybody back." }), make("div", { class: "row" }, reset, rewind)),
   );
   onSubmit(rewind, () => attempt({ type: "rewind", time_s: Number(time.value) }));
 
@@ -52,8 +55,8 @@ export function mountHistory({ store, world, command, toasts }) {
     ].sort((a, b) => b.t - a.t).slice(0, MOST);
     none.hidden = rows.length > 0;
     box.hidden = !rows.length;
-    body.replaceChildren(...rows.map((row) => make("tr", { class: row.kind, "data-time": row.t.toFixed(1) },
-      make("td", { class: "time", text: `${row.t.toFixed(1)} s` }), make("td", {}, ...breakable(row.text)), make("td", { class: "time", text: row.line }))));
+    body.replaceChildren(...rows.map((row) => make("tr", { class: row.kind, "data-time": row.t.toFixed(1), "data-at": row.t },
+      make("td", { class: "time" }, make("button", { type: "button", class: "moment", text: `${row.t.toFixed(1)} s`, title: "Look at this moment" })), make("td", {}, ...breakable(row.text)), make("td", { class: "time", text: row.line }))));
   }
   store.on(["control", "you", "connection"], () => {
     const may = store.operator && store.now.connection === "open";

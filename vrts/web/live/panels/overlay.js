@@ -1,6 +1,7 @@
 // Over the picture: what touches, what is close, what was checked.
 
 import { byId, make } from "../dom.js";
+import { lookedAt } from "../looking.js";
 
 const CLOSE = 1.5; // how long a near miss is shown after it [s]
 
@@ -9,7 +10,8 @@ export function mountOverlay({ store, world }) {
   let shown = "";
   world.watchers.push((state) => {
     const touching = world.lit(state.t);
-    const near = world.showContacts ? store.now.near.filter((row) => row.start <= state.t && state.t <= Math.max(row.end, row.heard ?? row.end) + CLOSE) : [];
+    const until = (/** @type {import("../protocol.js").Contact} */ row) => (lookedAt() === null ? Math.max(row.end, row.heard ?? row.end) + CLOSE : row.end);
+    const near = world.showContacts ? store.now.near.filter((row) => row.start <= state.t && state.t <= until(row)) : [];
     const rows = [...touching.map((row) => ["bad", row.text]), ...near.map((row) => ["warn", row.text])].slice(-4);
     const key = JSON.stringify(rows);
     if (key === shown) return;

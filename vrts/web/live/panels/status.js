@@ -2,6 +2,7 @@
 
 import { RUNNING, STOPPING } from "../frame.js";
 import { byId, figure, make, write } from "../dom.js";
+import { lookedAt, onThen } from "../looking.js";
 
 const DEG = 180 / Math.PI;
 const SECOND = 1000; // [ms]
@@ -22,8 +23,14 @@ export function mountStatus({ store, world }) {
   }));
   const set = (/** @type {string} */ name, /** @type {string} */ text) => write(/** @type {HTMLElement} */ (cells.get(name)), text);
 
-  store.on(["status", "alive"], ({ status }) => {
-    if (!status) return;
+  store.on(["status", "alive"], ({ status }) => lookedAt() === null && status && show(status));
+  onThen((then) => {
+    const { status } = store.now;
+    if (status) show(then ? { ...status, ...then, mark: null } : status);
+  });
+
+  /** @param {import("../protocol.js").Status} status */
+  function show(status) {
     status.location.forEach((value, index) => set(NAMES[6 + index], figure(value, index < 3 ? 1 : 2)));
     set("Speed", `${figure(status.speed, 0)} %`);
     set("Contacts", String(status.contacts));
@@ -34,7 +41,7 @@ export function mountStatus({ store, world }) {
     write(byId("line-now"), line);
     write(byId("held"), status.held ? `holds ${status.held}` : "");
     byId("strip").classList.toggle("touched", status.contacts > 0);
-  });
+  }
   world.watchers.push((state, outputs, flags) => {
     for (let joint = 0; joint < 6; joint++) set(NAMES[joint], figure(state.q[joint] * DEG, 2));
     set("Time", `${figure(state.t, 1)} s`);

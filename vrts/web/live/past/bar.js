@@ -1,0 +1,157 @@
+// The time line under the picture: a slider over the past, jumps, play, and the way back to live.
+
+import { make, write } from "../dom.js";
+import { JUMPS } from "./marks.js";
+
+const MOST_DRAWN = 240; // marks
+const STEPS = { ArrowLeft: -0.1, ArrowRight: 0.1, ArrowDown: -0.1, ArrowUp: 0.1, PageDown: -10, PageUp: 10 }; // [s]
+const SPANS = /** @type {[string, string][]} */ ([["60", "1 min"], ["600", "10 min"], ["3600", "1 h"], ["all", "All"]]);
+const SPEEDS = /** @type {[string, string][]} */ ([["0.25", "¼×"], ["0.5", "½×"], ["1", "1×"], ["2", "2×"], ["4", "4×"]]);
+const ICONS = {
+  before: "M3 3h2v10H3zM13 3v10L6 8z", after: "M11 3h2v10h-2zM3 3v10l7-5z", play: "M4 2.5v11L13 8z", pause: "M4 3h3v10H4zM9 3h3v10H9z",
+};
+
+/** @typedef {{seek: (t: number) => void, live: () => void, jump: (direction: 1 | -1) => void, play: () => void, branch: () => void, redraw: () => void}} Wishes */
+/** @typedef {{now: number, t: number | null, reaches: number, loading: boolean, playing: boolean, problem: string}} Shown */
+
+/** Return how long ago something was, in words. @param {number} seconds */
+export function ago(seconds) {
+  if (seconds < 100) return `${Math.max(seconds, 0).toFixed(1)} s ago`;
+  const minutes = Math.floor(seconds / 60);
+  if (minutes < 100) return `${minutes} min ${Math.floor(seconds % 60)} s ago`;
+  return `${Math.floor(minutes / 60)} h ${minutes % 60} min ago`;
+}
+
+/** Return a session time as people read it. @param {number} t [s] */
+export function clock(t) {
+  const two = (/** @type {number} */ n) => String(Math.floor(n)).padStart(2, "0");
+  return `${two(t / 3600)}:${two((t / 60) % 60)}:${two(t % 60)}`;
+}
+
+/** The bar's elements; it knows no session. */
+export class Bar {
+  /** @param {HTMLElement} place @param {Wishes} wishes */
+  constructor(place, wishes) {
+    this.wishes = wishes;
+    this.dragged = false;
+    this.range = { min: 0, max: 1 };
+    this.slider = make("input", {
+      type: "range", id: "past-time", min: 0, max: 1, step: 0.01, value: 1, "aria-label": "Time of the session",
+      input: () => this.slid(),
+      pointerdown: () => (this.dragged = true), pointerup: () => (this.dragged = false), pointercancel: () => (this.dragged = false),
+      keydown: (/** @type {KeyboardEvent} */ event) => this.key(event),
+    });
+    this.lane = make("div", { class: "past-marks", "aria-hidden": "true" });
+    this.kept = make("span", { class: "past-kept", hidden: true });
+    this.clock = make("output", { class: "past-clock", id: "past-clock", for: "past-time" });
+    this.playing = icon("play", "Play the past (space)", wishes.play, "past-play");
+    this.jumps = make("select", { id: "past-jump", "aria-label": "What to jump to" }, ...Object.entries(JUMPS)
+      .map(([value, [text]]) => make("option", { value, text })));
+    this.spans = make("select", { id: "past-span", "aria-label": "How much of the past the slider shows", title: "How much the slider shows", change: wishes.redraw },
+      ...SPANS.map(([value, text]) => make("option", { value, text, selected: value === "600" })));
+    this.speeds = make("select", { id: "past-speed", "aria-label": "Speed of the replay", title: "Speed of the replay" },
+      ...SPEEDS.map(([value, text]) => make("option", { value, text, selected: value === "1" })));
+    this.branch = make("button", { type: "button", id: "past-branch", text: "Go on from here", title: "Go on from this moment in a room of your own", click: wishes.branch });
+    this.live = make("button", { type: "button", id: "past-live", class: "past-live", text: "Live", title: "Back to what is now (Alt+L)", "aria-label": "Back to live", click: wishes.live });
+    place.classList.add("past");
+    place.setAttribute("role", "group");
+    place.setAttribute("aria-label", "Time line");
+    place.replaceChildren(
+      icon("before", "One before (comma)", () => wishes.jump(-1), "past-before"), this.playing, icon("after", "Next one (full stop)", () => wishes.jump(1), "past-after"),
+      make("div", { class: "past-track" }, this.slider, this.lane, this.kept),
+      this.clock, make("span", { class: "past-more" }, this.jumps, this.spans, this.speeds), this.branch, this.live,
+    );
+    place.addEventListener("keydown", (event) => this.shortcut(/** @type {KeyboardEvent} */ (event)));
+  }
+
+  get speed() {
+    return Number(this.speeds.value);
+  }
+
+  slid() {
+    const t = Number(this.slider.value);
+    if (t >= this.range.max - 1e-9) this.wishes.live();
+    else this.wishes.seek(t);
+  }
+
+  /** Steps that people can use, whatever the slider shows. @param {KeyboardEvent} event */
+  key(event) {
+    const step = STEPS[/** @type {keyof typeof STEPS} */ (event.key)];
+    if (event.altKey || event.ctrlKey || event.metaKey) return;
+    if (event.key === "End") this.wishes.live();
+    else if (event.key === "Home") this.wishes.seek(this.range.min);
+    else if (step) this.wishes.seek(Number(this.slider.value) + step * (event.shiftKey ? 10 : 1));
+    else return;
+    event.preventDefault();
+  }
+
+  /** @param {KeyboardEvent} event */
+  shortcut(event) {
+    const target = /** @type {HTMLElement} */ (event.target);
+    if (event.altKey || event.ctrlKey || event.metaKey || target.matches("select")) return;
+    if (event.key === ",") this.wishes.jump(-1);
+    else if (event.key === ".") this.wishes.jump(1);
+    else if (event.key === " " && !target.matches("button")) this.wishes.play();
+    else return;
+    event.preventDefault();
+  }
+
+  /** Show where on the time line one is. @param {Shown} shown */
+  show({ now, t, reaches, loading, playing, problem }) {
+    const span = this.spans.value === "all" ? Infinity : Number(this.spans.value);
+    if (!this.dragged) {
+      const min = Math.max(reaches, now - span, 0);
+      this.range = { min: t === null ? min : Math.min(min, Math.max(t, reaches)), max: Math.max(now, min + 0.1) };
+    }
+    const { min, max } = this.range;
+    Object.assign(this.slider, { min: String(min), max: String(max) });
+    const value = String(t ?? max);
+    if (!this.dragged && this.slider.value !== value) this.slider.value = value;
+    const words = t === null ? "live" : ago(now - t);
+    this.slider.setAttribute("aria-valuetext", t === null ? "live" : `${clock(t)}, ${words}`);
+    write(this.clock, `${clock(t ?? now)} ${words}`);
+    this.slider.setAttribute("aria-busy", String(loading));
+    this.live.disabled = this.branch.disabled = t === null;
+    write(this.kept, problem || `kept from ${clock(reaches)} on`);
+    this.kept.hidden = !problem && (reaches === 0 || min > reaches);
+    if (this.playing.dataset.shows !== String(playing)) {
+      this.playing.dataset.shows = String(playing);
+      this.playing.replaceChildren(drawing(playing ? ICONS.pause : ICONS.play));
+      this.playing.setAttribute("aria-label", playing ? "Pause" : "Play the past");
+    }
+  }
+
+  /** Draw marks; of those at the same place one. @param {import("./marks.js").Mark[]} marks */
+  mark(marks) {
+    const { min, max } = this.range;
+    /** @type {Map<string, import("./marks.js").Mark>} */
+    const places = new Map();
+    for (const mark of marks) {
+      const rank = mark.kind === "contact" || mark.kind === "panic" || mark.kind === "said" ? mark.kind : "";
+      places.set(`${Math.round((400 * (mark.t - min)) / (max - min))} ${rank}`, mark);
+    }
+    this.lane.replaceChildren(...[...places.values()].slice(-MOST_DRAWN).map((mark) => {
+      const sign = make("i", { class: `past-mark is-${mark.kind}` });
+      sign.style.left = `${(100 * (mark.t - min)) / (max - min)}%`;
+      return sign;
+    }));
+  }
+}
+
+/** @param {keyof typeof ICONS} name @param {string} title @param {() => void} click @param {string} id */
+function icon(name, title, click, id) {
+  const made = make("button", { type: "button", id, class: "past-icon", title, "aria-label": title.replace(/ \(.*/, ""), click });
+  made.append(drawing(ICONS[name]));
+  return made;
+}
+
+/** @param {string} path */
+function drawing(path) {
+  const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
+  svg.setAttribute("viewBox", "0 0 16 16");
+  svg.setAttribute("aria-hidden", "true");
+  const line = document.createElementNS("http://www.w3.org/2000/svg", "path");
+  line.setAttribute("d", path);
+  svg.append(line);
+  return svg;
+}
