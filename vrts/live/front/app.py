@@ -15,6 +15,7 @@ from vrts.live.front.help_socket import serve_help
 from vrts.live.front.http import Pages
 from vrts.live.front.origin import Names
 from vrts.live.front.past import PastPages
+from vrts.live.front.program_pages import ProgramPages
 from vrts.live.front.socket import serve_socket
 from vrts.live.front.static_files import StaticFiles
 from vrts.live.rooms.hub import Hub
@@ -83,6 +84,7 @@ def application(settings: Settings, code: str, address: str, rooms: tuple[str, .
             Route("/code.svg", pages.code_picture),
             WebSocketRoute("/ws", socket),
             WebSocketRoute("/lsp", help_),
+            *ProgramPages(hub, pages.who).routes(),
         ],
     )
     return Guard(app, Names(settings.names), secure=settings.secure)
