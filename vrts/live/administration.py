@@ -7,10 +7,17 @@ from vrts.live.session.growing.folder import FILE, OFF
 from vrts.live.settings import DATABASE, SESSIONS
 from vrts.live.store import log
 from vrts.live.store.database import backup, opened
+from vrts.pipeline.files import CannotRead
 
 
 def save_backup(folder: Path, target: Path) -> None:
-    """Copy the database; the server may run meanwhile."""
+    """Copy the database; the server may run meanwhile.
+
+    Raises:
+        CannotRead: The copy would take the place of the database.
+    """
+    if target.resolve() == (folder / DATABASE).resolve():
+        raise CannotRead(f"`{target}` is the database itself", ("name another file",))
     backup(folder / DATABASE, target)
 
 

@@ -1,5 +1,6 @@
 """The server as a process: the socket it listens at, the words it begins with, uvicorn."""
 
+import errno
 import ipaddress
 import socket
 import time
@@ -12,11 +13,14 @@ import uvicorn
 
 from vrts.live.door import DoorProtocol
 from vrts.live.front.app import application
+from vrts.live.lasting.folder_lock import held, holder
 from vrts.live.protocol.fields import LONGEST_MESSAGE
 from vrts.live.settings import DATABASE, Settings
 from vrts.live.store.accounts import LINK_S, LINK_USES, add_link
 from vrts.live.store.database import opened
+from vrts.live.store.unusable import in_one_sentence, require_whole
 from vrts.live.tokens import new_code, new_token
+from vrts.pipeline.files import CannotRead
 
 
 class Listening(NamedTuple):
@@ -57,14 +61,31 @@ def serve(
         open_link: Takes the supervisor's link, which lets one browser in, once.
 
     Raises:
-        OSError: The port cannot be had.
+        CannotRead: The port cannot be had, another server works in the folder, or its database is
+            of no use.
+        OSError: The folder cannot be written.
     """
-    family = socket.AF_INET6 if ":" in listening.host else socket.AF_INET
-    listener = socket.create_server((listening.host, listening.port), family=family, backlog=2048)
+    listener = _listener(listening, settings.folder)
+    settings.folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+    database = settings.folder / DATABASE
+    with listener, held(settings.folder), in_one_sentence(database):
+        require_whole(database)
+        _serve(listener, settings, listening, rooms, say, with_code=with_code, open_link=open_link)
+
+
+def _serve(
+    listener: socket.socket,
+    settings: Settings,
+    listening: Listening,
+    rooms: tuple[str, ...],
+    say: Callable[[str], None],
+    *,
+    with_code: bool,
+    open_link: Callable[[str], None] | None,
+) -> None:
     port = int(listener.getsockname()[1])
     secure = listening.certificate is not None or listening.proxy
     settings = replace(settings, port=port, secure=secure, names=(*settings.names, listening.host))
-    settings.folder.mkdir(mode=0o700, parents=True, exist_ok=True)
     entrances = _entrances(settings, listening, port, with_code=with_code)
     app = application(settings, entrances.code, entrances.address, rooms)
     for line in greeting(settings, listening, entrances):
@@ -89,6 +110,29 @@ def serve(
         ssl_keyfile=listening.key,
     )
     uvicorn.Server(config).run(sockets=[listener])
+
+
+def _listener(listening: Listening, folder: Path) -> socket.socket:
+    """Return the socket that is listened at.
+
+    Raises:
+        CannotRead: It cannot be had.
+    """
+    host, port = listening.host, listening.port
+    family = socket.AF_INET6 if ":" in host else socket.AF_INET
+    try:
+        return socket.create_server((host, port), family=family, backlog=2048)
+    except OSError as problem:
+        if problem.errno == errno.EADDRINUSE:
+            number = holder(folder)
+            who = "another program" if number is None else f"the server of `{folder}`"
+            own = "" if number is None else f" (process {number})"
+            hint = "end it, or choose another port: `--port 0` takes any that is free"
+            raise CannotRead(f"{who}{own} listens at port {port} already", (hint,)) from problem
+        reason = (problem.strerror or str(problem)).partition(" (while")[0].lower()
+        hint = "ports below 1024 are for root: choose another with `--port`"
+        hints = (hint,) if problem.errno == errno.EACCES else ()
+        raise CannotRead(f"cannot listen at {host}, port {port}: {reason}", hints) from problem
 
 
 def greeting(settings: Settings, listening: Listening, entrances: Entrances) -> list[str]:

@@ -38,8 +38,7 @@ def teach(
         opens: Whether a browser is opened.
 
     Raises:
-        CannotRead: There is no such scene or lab.
-        OSError: The port cannot be had.
+        CannotRead: There is no such scene or lab, or the port cannot be had.
     """
     points = PointsFile(output)
 

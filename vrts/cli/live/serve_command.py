@@ -117,7 +117,13 @@ def command(
     on, with `--behind-proxy --name lab.example.org`.
     """
     if add_user or purge_user or verify_logs or backup:
-        administer(folder, add_user, purge_user, backup, supervisor=supervisor, verify=verify_logs)
+        from vrts.live.settings import DATABASE
+        from vrts.live.store.unusable import in_one_sentence
+
+        with in_one_sentence(folder / DATABASE):
+            administer(
+                folder, add_user, purge_user, backup, supervisor=supervisor, verify=verify_logs
+            )
         return
     if not scenes:
         fail("which scenes should be served?", ("such as `vrts serve cans-on-bases`",))

@@ -19,6 +19,7 @@ from types import TracebackType
 from typing import Any, TypeVar
 
 from vrts.live.store.migrations import STEPS, NotMigrated, migrate, version_of
+from vrts.live.store.unusable import require_ours
 
 Answer = TypeVar("Answer")
 Connection = sqlite3.Connection
@@ -35,9 +36,11 @@ def opened(path: Path) -> sqlite3.Connection:
     One of before is copied beside it, with its version in the name, before it is changed.
 
     Raises:
-        TooNew: It was written by a later vrts.
+        CannotRead: It is none of vrts, and was not touched.
+        TooNew: It was written by a later vrts, and was not touched.
         NotMigrated: It could not be changed, and is as it was.
     """
+    require_ours(path)
     os.close(os.open(path, os.O_CREAT | os.O_RDWR, 0o600))
     connection = sqlite3.connect(path, isolation_level=None, check_same_thread=False)
     connection.execute("PRAGMA journal_mode=WAL")
