@@ -152,7 +152,7 @@ def _ask_reach(room: Room, member: Member, message: AskReach, now: float) -> Non
         raise NotObeyed("rate", "too many questions at once")
     process = _running(room)
     position, oat = message.position_m, message.oat_rad
-    ref = process.ask_reach(position, oat, straight=message.straight)
+    ref = process.ask_reach(position, oat, straight=message.straight, asker=member.id)
     room.ask(ref, "reach", member, message.of)
 
 

@@ -117,10 +117,11 @@ class SessionProcess:
         oat_rad: tuple[Number, Number, Number],
         *,
         straight: bool,
+        asker: str,
     ) -> int:
-        """Ask whether the tool can go somewhere."""
+        """Ask whether the tool can go somewhere, and what the way touches."""
         self._ref += 1
-        self._send(AskReach(self._ref, position_m, oat_rad, straight))
+        self._send(AskReach(self._ref, position_m, oat_rad, straight, asker))
         return self._ref
 
     def ask_program(self, name: str) -> int:

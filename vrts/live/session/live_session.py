@@ -112,7 +112,7 @@ class Session:
             case m.Act():
                 self._act(order, now_s)
             case m.AskReach():
-                self._send(self._acting.reach(order))
+                self._send(self.reach(order))
             case m.AskSnapshot():
                 self._send(self.showing.snapshot(order.ref))
             case m.AskProgram():
@@ -178,6 +178,10 @@ class Session:
     def program(self, name: str) -> str:
         """Return what was done as VAL-II text."""
         return self._acting.program(name)
+
+    def reach(self, order: m.AskReach) -> m.Reached:
+        """Return whether the tool can go somewhere; nothing of what the way there touches."""
+        return self._acting.reach(order)
 
     def _act(self, order: m.Act, now_s: float) -> None:
         waiting = _Waiting(order.ref, order.stamp_s, order.owner, order.action)

@@ -22,7 +22,16 @@ from vrts.live.session.again.carrying_on import (
 )
 from vrts.live.session.channel.beats import AFTER_TICK, Beats, shows
 from vrts.live.session.channel.inbox import Inbox, Unreadable
-from vrts.live.session.channel.messages import AskBlock, Failed, Json, Pace, Ready, Start, Stop
+from vrts.live.session.channel.messages import (
+    AskBlock,
+    AskReach,
+    Failed,
+    Json,
+    Pace,
+    Ready,
+    Start,
+    Stop,
+)
 from vrts.live.session.channel.outbox import Outbox, ServerGone
 from vrts.live.session.growing.folder import empty
 from vrts.live.session.growing.tidying import Tidying
@@ -30,6 +39,7 @@ from vrts.live.session.live_session import Session
 from vrts.live.session.looking.looker import Looker
 from vrts.live.session.marks.checker import Checker, warm_up
 from vrts.live.session.setting import setting_of
+from vrts.live.session.ways.ways import Ways
 from vrts.marking.supervise.limits import Limits, impose
 from vrts.pipeline.files import CannotRead
 from vrts.pipeline.refused import Refused
@@ -83,7 +93,8 @@ def _serve(inbox: Inbox, outbox: Outbox, readable: int, clock: Clock) -> int:
     said = (model.name, digest(model))
     outbox.send(Ready(start.session, session.epoch_s, arm, scene, title, carried_s, anew, *said))
     tidying = Tidying()
-    with Checker(session) as checker, Looker(session, outbox.send) as looker:
+    checking, looking = Checker(session), Looker(session, outbox.send)
+    with checking as checker, looking as looker, Ways(session, outbox.send, clock) as ways:
         beats = Beats(clock())
         while not inbox.ended:
             for order in orders:
@@ -94,7 +105,10 @@ def _serve(inbox: Inbox, outbox: Outbox, readable: int, clock: Clock) -> int:
                     beats.period_s = 1.0 / order.rate
                 if isinstance(order, AskBlock):
                     looker.ask(order)
-                session.take(order)
+                if isinstance(order, AskReach):
+                    ways.ask(order)
+                else:
+                    session.take(order)
                 if shows(order):
                     beats.bring_forward(session.epoch_s + session.growing.next_tick_s + AFTER_TICK)
             if clock() >= beats.due_s:
@@ -104,9 +118,11 @@ def _serve(inbox: Inbox, outbox: Outbox, readable: int, clock: Clock) -> int:
                 looker.beat()
                 tidying.beat(session.growing.time_s)
                 beats.kept(clock())
+            ways.beat()
             outbox.flush()
             writable = [outbox] if outbox.waits else []
-            select.select([readable], writable, [], max(beats.due_s - clock(), 0.0))
+            pause_s = max(beats.due_s - clock(), 0.0)
+            select.select([readable, *ways.heard], writable, [], pause_s)
             orders = inbox.orders()
     return 0
 

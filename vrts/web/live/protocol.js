@@ -78,7 +78,7 @@ export const FROM_SESSION = {
   checked: ["checked_s", "contacts", "near", "undetermined", "mark"],
   began: ["time_s", "epoch_s"],
   done: ["ref", "at_s", "accepted", "text", "help", "code", "counts", "row"],
-  reached: ["ref", "reachable", "why", "code", "branch", "joints_rad"],
+  reached: ["ref", "reachable", "why", "code", "branch", "joints_rad", "way", "touches", "path_m", "method"],
   status: ["time_s", "joints_rad", "location", "hand_m", "program", "mode", "step", "line", "text", "speed",
     "signals", "held", "prompt", "contacts", "checked_s", "mark", "tool", "total"],
   snapshot: ["ref", "status", "bodies", "programs", "contacts", "near", "events", "output"],
@@ -108,7 +108,10 @@ export const LONGEST_CHAT = 1000; // characters
  *   heard?: number}} Contact `heard`: session time at which the page learnt of it [s]
  * @typedef {{time_s: number, kind: string, text: string, program: string, line: number}} Happened
  * @typedef {{ref: number, at_s: number, accepted: boolean, text: string, help: string, code: string}} Done
- * @typedef {{reachable: boolean, why: string, code: string, branch: string[], joints_rad: number[]}} Reached
+ * @typedef {{text: string, parts: [string, string], start: number, end: number, point: [number, number, number],
+ *   at_goal: boolean}} WayTouch
+ * @typedef {{reachable: boolean, why: string, code: string, branch: string[], joints_rad: number[],
+ *   way?: "free"|"touches"|"unknown"|"", touches?: WayTouch[], path_m?: number[], method?: string}} Reached
  * @typedef {{id: string, name: string, scene: string, scene_url?: string, task: string, operator: string, people: number, hands: string[],
  *   queue: number, time_s: number, line: string, contacts: number, mark: number | null, joints_rad: number[],
  *   alive: boolean, hand_m: number, bodies: Placed[]}} WallRow

@@ -20,6 +20,7 @@ from vrts.live.session.channel.messages import (
     BEAT,
     LENGTH,
     Act,
+    AskReach,
     Checked,
     Done,
     Failed,
@@ -28,6 +29,7 @@ from vrts.live.session.channel.messages import (
     News,
     Order,
     Output,
+    Reached,
     Ready,
     Start,
     Stop,
@@ -135,6 +137,14 @@ def piped(tmp_path: Path) -> Iterator[Piped]:
     session = Piped(tmp_path)
     yield session
     session.end()
+
+
+def test_the_way_to_a_pose_is_told_beside_the_frames(piped: Piped) -> None:
+    piped.send(AskReach(5, (0.95, -0.13, -0.2), (0.0, math.pi / 2, 0.0)))
+    told = piped.until(Reached)
+    assert isinstance(told, Reached)
+    assert (told.ref, told.way, told.method) == (5, "touches", "certified")
+    assert "touches base1" in told.touches[0].text
 
 
 def at_the_table(news: News) -> bool:

@@ -80,6 +80,7 @@ class AskReach(Order, frozen=True, tag="ask_reach"):
     position_m: tuple[Number, Number, Number]
     oat_rad: tuple[Number, Number, Number]
     straight: bool = False
+    asker: Annotated[str, Meta(max_length=64)] = ""  # of theirs, only the last question counts
 
 
 class AskSnapshot(Order, frozen=True, tag="ask_snapshot"):
@@ -154,15 +155,30 @@ class Done(News, frozen=True, tag="done"):
     row: str = ""  # of what was recorded: its line of `.LOCATIONS`, as STORE writes it
 
 
+class WayTouch(msgspec.Struct, frozen=True):
+    """What would touch on the way, and where."""
+
+    text: str  # "left finger touches base1, 3.1 mm deep"
+    parts: tuple[str, str]
+    start: float  # share of the time that the way takes
+    end: float
+    point: tuple[float, float, float]  # where it is deepest [m]
+    at_goal: bool  # it touches where the way ends, too
+
+
 class Reached(News, frozen=True, tag="reached"):
-    """Whether the tool can go there."""
+    """Whether the tool can go there, and what the way touches."""
 
     ref: int
     reachable: bool
-    why: str = ""  # in words, when it cannot
+    why: str = ""  # in words, when it cannot, or why the way is unknown
     code: str = ""
     branch: tuple[str, ...] = ()  # such as ("lefty", "above", "noflip")
     joints_rad: tuple[float, ...] = ()  # at the goal
+    way: str = ""  # "free", "touches", "unknown"; empty: there is none
+    touches: tuple[WayTouch, ...] = ()  # the first ones
+    path_m: tuple[float, ...] = ()  # x y z of the tool's point on the way, evenly in time
+    method: str = ""  # of the check: "certified"
 
 
 class ProgramText(News, frozen=True, tag="program_text"):
