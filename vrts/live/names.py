@@ -1,27 +1,19 @@
-"""Names and texts that people give themselves and one another."""
+"""Names of rooms, and texts; names of people are in `people`."""
 
 import unicodedata
-from collections.abc import Container
 
 from vrts.report.plain import one_line, visible
 
 LONGEST = 40
 
 
-def display_name(given: str, taken: Container[str] = ()) -> str:
-    """Return a name that can be shown: visible characters only, and nobody else's.
+def display_name(given: str) -> str:
+    """Return a name that can be shown: visible characters only.
 
     Empty when nothing of it can be shown.
     """
     name = one_line(unicodedata.normalize("NFKC", given))[:LONGEST].strip()
-    if not any(character.isalnum() for character in name):
-        return ""
-    if name not in taken:
-        return name
-    number = 2
-    while f"{name} ({number})" in taken:
-        number += 1
-    return f"{name} ({number})"
+    return name if any(character.isalnum() for character in name) else ""
 
 
 def readable(text: str) -> str:

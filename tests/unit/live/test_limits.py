@@ -46,12 +46,8 @@ def test_guessing_from_many_addresses_ends_too() -> None:
         ("<b>", "<b>"),
     ],
 )
-def test_names_are_visible(given: str, shown: str) -> None:
+def test_names_of_rooms_are_visible(given: str, shown: str) -> None:
     assert display_name(given) == shown
-
-
-def test_nobody_has_the_name_of_another() -> None:
-    assert display_name("Anna", {"Anna", "Anna (2)"}) == "Anna (3)"
 
 
 def test_texts_keep_their_lines_and_nothing_invisible() -> None:

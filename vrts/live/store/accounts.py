@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from typing import Final, NamedTuple
 
 from vrts.live.names import display_name
+from vrts.live.people.naming import Taken, own_name, person_name
 from vrts.live.tokens import digest, new_token
 
 LOGIN_S: Final = 30 * 86_400.0  # how long a cookie lasts
@@ -37,14 +38,16 @@ def add_account(
     Raises:
         ValueError: The name cannot be shown, or there are too many guests.
     """
-    taken = {row[0] for row in connection.execute("SELECT name FROM account")}
-    shown = display_name(name, () if password else taken)
+    shown = person_name(name)
     if not shown:
         raise ValueError("a name needs a letter or a digit")
-    if password and shown in taken:
+    others = [row[0] for row in connection.execute("SELECT name FROM account")]
+    if password is None:
+        if len(others) >= GUESTS:
+            raise ValueError("there are too many guests")
+        shown = own_name(shown, Taken(others), guest=not supervisor)
+    elif shown in others:
         raise ValueError(f"there is an account `{shown}` already")
-    if password is None and len(taken) >= GUESTS:
-        raise ValueError("there are too many guests")
     found = connection.execute(
         "INSERT INTO account (name, password, supervisor, room, created) VALUES (?,?,?,?,?)"
         " RETURNING id",
@@ -57,8 +60,8 @@ def password_of(connection: sqlite3.Connection, name: str) -> tuple[Account, str
     """Return an account by its name, with the hash of its password."""
     row = connection.execute(
         "SELECT id, name, supervisor, room, password FROM account"
-        " WHERE name=? AND password IS NOT NULL",
-        (display_name(name),),
+        " WHERE name IN (?,?) AND password IS NOT NULL",
+        (person_name(name), display_name(name)),  # as it is kept now, and as it was before
     ).fetchone()
     return None if row is None else (_account(row[:4]), row[4])
 

@@ -160,9 +160,10 @@ def test_accounts_keep_their_names(connection: sqlite3.Connection) -> None:
     teacher = add_account(connection, "Teacher", 0.0, password="hash", supervisor=True)
     with pytest.raises(ValueError, match="already"):
         add_account(connection, "Teacher", 0.0, password="hash")
-    assert add_account(connection, "Teacher", 0.0).name == "Teacher (2)"
+    assert add_account(connection, "Teacher", 0.0).name == "Teacher 2"
+    assert add_account(connection, "Теасhеr", 0.0).name == "Теасhеr 3", "looks the same"
     assert accounts.password_of(connection, "Teacher") == (teacher, "hash")
-    assert accounts.password_of(connection, "Teacher (2)") is None
+    assert accounts.password_of(connection, "Teacher 2") is None
     assert accounts.password_of(connection, "' OR 1=1 --") is None
 
 
