@@ -37,7 +37,8 @@ class Answer:
 
     @property
     def cookie(self) -> str:
-        return (self.headers.get("set-cookie") or "").split(";")[0]
+        """What a browser sends from then on: who is logged in, and which browser it is."""
+        return "; ".join(c.split(";")[0] for c in self.headers.get_all("set-cookie") or ())
 
 
 class Browser:

@@ -10,6 +10,7 @@ from starlette.types import ASGIApp
 from starlette.websockets import WebSocket
 
 from vrts.live.editing.seats import Seats
+from vrts.live.front.browsers import browsers_of
 from vrts.live.front.guard import Guard
 from vrts.live.front.help_socket import serve_help
 from vrts.live.front.http import Pages
@@ -60,7 +61,8 @@ def application(settings: Settings, code: str, address: str, rooms: tuple[str, .
 
     async def socket(websocket: WebSocket) -> None:
         account = await pages.who(websocket.cookies)
-        await serve_socket(hub, sessions, websocket, account)
+        browsers = browsers_of(websocket.cookies, settings)
+        await serve_socket(hub, sessions, websocket, account, browsers)
 
     async def help_(websocket: WebSocket) -> None:
         account = await pages.who(websocket.cookies)

@@ -9,19 +9,21 @@ import msgspec
 from starlette.requests import Request
 from starlette.responses import Response
 
+from vrts.live.front.browsers import browser_token, browsers_of, keep_browser
 from vrts.live.front.guard import refused
 from vrts.live.front.qr_code import qr_svg
 from vrts.live.front.static_files import PAGE, Content, StaticFiles, content
 from vrts.live.logs.replay_page import NoPage, Order, replay_page
-from vrts.live.names import display_name
+from vrts.live.people.naming import person_name
 from vrts.live.protocol.over_http import Enter, Link, LogIn, MakeLink, Me
+from vrts.live.rooms.entering import log_out
 from vrts.live.rooms.hub import Hub
 from vrts.live.store import accounts
 from vrts.live.store.accounts import LINK_S, LINK_USES, LOGIN_S, Account
-from vrts.live.store.bars import inherit
+from vrts.live.store.bars import Inherited, inherit, use_browser
 from vrts.live.store.database import Connection
 from vrts.live.store.log import export
-from vrts.live.tokens import new_token
+from vrts.live.tokens import digest, new_token
 
 LONGEST_BODY: Final = 8 * 1024  # bytes
 LONGEST_TOKEN: Final = 128  # characters
@@ -61,16 +63,19 @@ class Pages:
         if hub.failures.blocked(address, time.monotonic()):
             return _wait()
 
-        tokens = [token for token in self._tokens(request.cookies) if token]
-        barred: list[tuple[str, str]] = []  # room and name
+        token = request.cookies.get(hub.settings.cookie, "")
+        browser = browser_token(request.cookies, hub.settings)
+        inherited: list[Inherited] = []
 
         def let_in(connection: Connection) -> tuple[Account, str] | None:
             account = accounts.enter(connection, body.code, body.name, now)
             if account is None:
                 return None
-            before = [accounts.who(connection, token, now) for token in tokens]
-            had = [old.id for old in before if old is not None]
-            barred.extend(inherit(connection, account.id, display_name(body.name), had))
+            old = accounts.who(connection, token[:LONGEST_TOKEN], now)
+            used = [account.id] if old is None else [account.id, old.id]
+            use_browser(connection, used, digest(browser))
+            if not account.supervisor:
+                inherited.append(inherit(connection, account.id, person_name(body.name)))
             return account, accounts.log_in(connection, account.id, now)
 
         try:
@@ -80,10 +85,13 @@ class Pages:
         if found is None:
             hub.failures.failed(address, time.monotonic())
             return refused(403, "code", "there is no such code or link", "ask for a new one")
-        for room, name in barred:
-            if room in hub.rooms:
-                hub.rooms[room].barred[found[0].id] = name
-        return self._logged_in(*found)
+        for bars, muted in inherited:
+            for room, name in bars:
+                if room in hub.rooms:
+                    hub.rooms[room].barred[found[0].id] = name
+            if muted:
+                hub.muted[found[0].id] = muted
+        return self._logged_in(*found, browser)
 
     async def login(self, request: Request) -> Response:
         """Let somebody in who has a local account."""
@@ -102,21 +110,23 @@ class Pages:
             hub.failures.failed(address, time.monotonic())
             return refused(403, "login", "user or password is wrong")
         account = found[0]
-        token = await hub.database.do(lambda c: accounts.log_in(c, account.id, now))
-        return self._logged_in(account, token)
+        browser = browser_token(request.cookies, hub.settings)
+
+        def let_in(connection: Connection) -> str:
+            use_browser(connection, (account.id,), digest(browser))
+            return accounts.log_in(connection, account.id, now)
+
+        return self._logged_in(account, await hub.database.do(let_in), browser)
 
     async def logout(self, request: Request) -> Response:
-        """End the cookie; of who was sent away something stays that lets nobody in."""
-        settings = self._hub.settings
-        account = await self.who(request.cookies)
+        """End the cookie, and the connections of the browser, at once."""
+        hub = self._hub
         answer = Response(status_code=204)
-        answer.delete_cookie(settings.cookie)
-        token = request.cookies.get(settings.cookie, "")
-        barred = account and any(account.id in room.barred for room in self._hub.rooms.values())
-        if barred:
-            self._set(answer, _was(settings.cookie), token)
-        else:
-            await self._hub.database.do(lambda c: accounts.log_out(c, token))
+        answer.delete_cookie(hub.settings.cookie)
+        token = request.cookies.get(hub.settings.cookie, "")
+        await hub.database.do(lambda c: accounts.log_out(c, token))
+        if token:
+            log_out(hub, browsers_of(request.cookies, hub.settings))
         return answer
 
     async def me(self, request: Request) -> Response:
@@ -225,27 +235,20 @@ class Pages:
             return refused(404, "file", "there is no such page")
         return found.answer(request)
 
-    def _logged_in(self, account: Account, token: str) -> Response:
+    def _logged_in(self, account: Account, token: str, browser: str) -> Response:
+        settings = self._hub.settings
         answer = self._me(account)
-        self._set(answer, self._hub.settings.cookie, token)
-        return answer
-
-    def _set(self, answer: Response, name: str, token: str) -> None:
         answer.set_cookie(
-            name,
+            settings.cookie,
             token,
             max_age=int(LOGIN_S),
             path="/",
-            secure=self._hub.settings.secure,
+            secure=settings.secure,
             httponly=True,
             samesite="strict",
         )
-
-    def _tokens(self, cookies: dict[str, str]) -> list[str]:
-        """Return the tokens that a browser has, that of who was sent away too."""
-        name = self._hub.settings.cookie
-        found = [cookies.get(name, ""), cookies.get(_was(name), "")]
-        return [token for token in found if len(token) <= LONGEST_TOKEN]
+        keep_browser(answer, browser, settings)
+        return answer
 
     def _me(self, account: Account) -> Response:
         alone = self._hub.settings.alone
@@ -265,11 +268,6 @@ async def _body(request: Request, kind: type[Body]) -> Body | Response:
         return msgspec.json.decode(data, type=kind)
     except msgspec.DecodeError as problem:
         return refused(400, "body", str(problem))
-
-
-def _was(cookie: str) -> str:
-    """Return the name of the cookie of who was sent away and logged out."""
-    return f"{cookie}_was"
 
 
 def _json(value: object) -> Response:

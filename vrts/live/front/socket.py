@@ -28,9 +28,21 @@ MOST_BAD: Final = 20  # messages that cannot be read, after which a connection e
 
 
 async def serve_socket(
-    hub: Hub, sessions: Sessions, websocket: WebSocket, account: Account | None
+    hub: Hub,
+    sessions: Sessions,
+    websocket: WebSocket,
+    account: Account | None,
+    browsers: frozenset[bytes],
 ) -> None:
-    """Serve a connection until it ends; `Host` and `Origin` were looked at before."""
+    """Serve a connection until it ends; `Host` and `Origin` were looked at before.
+
+    Args:
+        hub: Where it goes.
+        sessions: Of the hub.
+        websocket: The connection.
+        account: Whose it is; None: nobody's, so it is refused.
+        browsers: What the browser is known by.
+    """
     if account is None:
         refusal = refused(401, "login", "nobody is logged in", "open the join link again")
         await websocket.send_denial_response(refusal)
@@ -48,6 +60,7 @@ async def serve_socket(
         return
     if member is None:
         return
+    member.browsers = browsers
     try:
         await _listen(hub, sessions, websocket, member, door)
     finally:

@@ -61,7 +61,7 @@ def _folded(text: str) -> str:
 def _prototypes() -> dict[str, str]:
     """Return what stands for each character that looks like another."""
     found: dict[str, str] = {}
-    text = files(__package__).joinpath(TABLE).read_text("ascii")
+    text = files("vrts.live.people").joinpath(TABLE).read_text("ascii")
     for line in text.splitlines():
         if line.startswith("#"):
             continue

@@ -28,6 +28,7 @@ from vrts.live.protocol.from_supervisors import (
     SetChat,
     SetScene,
     SetTurn,
+    Unmute,
     WatchWall,
 )
 
@@ -48,6 +49,7 @@ FromClient = (
     | Kick
     | Allow
     | Mute
+    | Unmute
     | SetChat
     | SetTurn
     | SetScene

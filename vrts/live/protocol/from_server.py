@@ -7,7 +7,7 @@ missed. Those without are states, sent whole whenever they change and after ever
 
 import msgspec
 
-from vrts.live.protocol.fields import VERSION
+from vrts.live.protocol.fields import VERSION, Role
 from vrts.live.protocol.listed import Person, RoomEntry, SceneEntry, WallRow
 
 
@@ -38,6 +38,7 @@ class Chat(Message, frozen=True, tag="chat"):
     text: str
     private: bool = False
     to: str = ""  # name of the only reader but supervisors; empty: a private line is for them
+    role: Role | None = None  # of the speaker then; none: the server, or it is not known any more
 
 
 class Snapshot(Message, frozen=True, tag="snapshot"):
@@ -58,6 +59,9 @@ class People(Message, frozen=True, tag="people"):
 
     people: tuple[Person, ...]
     barred: tuple[str, ...] = ()  # names of those who were sent away; told to supervisors only
+    muted: tuple[
+        str, ...
+    ] = ()  # names of those who are not heard, here or not; to supervisors only
 
 
 class Control(Message, frozen=True, tag="control"):
@@ -158,7 +162,7 @@ class LogFile(Message, frozen=True, tag="log_file"):
 class Closed(Message, frozen=True, tag="closed"):
     """The connection ends now, and why."""
 
-    code: str  # such as "kicked", "room closed", "replaced", "room", "version"
+    code: str  # such as "kicked", "room closed", "replaced", "room", "version", "left"
     text: str
 
 

@@ -30,8 +30,8 @@ class Freeze(Strict, frozen=True, tag="freeze"):
 class Kick(Strict, frozen=True, tag="kick"):
     """Supervisor: send somebody away from the room, who cannot enter it again until `Allow`.
 
-    An account is known by itself, a guest by the browser's cookie and the name: whoever takes
-    another browser and another name comes in again with the class code.
+    An account with a password is known by itself, a guest by the browser and the name: whoever
+    takes another browser and another name comes in again with the class code.
     """
 
     person: Id
@@ -40,14 +40,20 @@ class Kick(Strict, frozen=True, tag="kick"):
 class Allow(Strict, frozen=True, tag="allow"):
     """Supervisor: let those enter the room again who were sent away under a name."""
 
-    name: Annotated[str, Meta(max_length=64)]  # of `People.barred`
+    name: Annotated[str, Meta(max_length=200)]  # of `People.barred`
 
 
 class Mute(Strict, frozen=True, tag="mute"):
-    """Supervisor: what somebody says reaches nobody."""
+    """Supervisor: what somebody says reaches nobody, under whatever name their browser enters."""
 
     person: Id
     on: bool
+
+
+class Unmute(Strict, frozen=True, tag="unmute"):
+    """Supervisor: let those be heard again who were muted under a name, here or not."""
+
+    name: Annotated[str, Meta(max_length=200)]  # of `People.muted`
 
 
 class SetChat(Strict, frozen=True, tag="set_chat"):

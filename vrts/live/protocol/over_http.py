@@ -13,7 +13,7 @@ class Enter(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """`POST /enter`: a join link's token or a class code, and the name to be shown."""
 
     code: Annotated[str, Meta(min_length=6, max_length=128)]
-    name: Annotated[str, Meta(max_length=40)] = ""  # a link may bring its own
+    name: Annotated[str, Meta(max_length=160)] = ""  # a link may bring its own
 
 
 class LogIn(msgspec.Struct, frozen=True, forbid_unknown_fields=True):

@@ -116,6 +116,13 @@ def send_away(hub: Hub, member: Member, code: str, text: str) -> None:
         remove(hub, room, member)
 
 
+def log_out(hub: Hub, browsers: frozenset[bytes]) -> None:
+    """End all places of a browser from which somebody has logged out."""
+    for member in hub.everybody():
+        if not member.browsers.isdisjoint(browsers):
+            send_away(hub, member, "left", "you have logged out")
+
+
 def _scenes(hub: Hub) -> tuple[SceneEntry, ...]:
     return tuple(SceneEntry(place.id, bool(place.task)) for place in hub.settings.places)
 

@@ -15,6 +15,7 @@ from vrts.live.rooms.member import Member
 from vrts.live.rooms.room import Room
 from vrts.live.settings import Settings
 from vrts.live.store.accounts import Account
+from vrts.live.store.bars import Bars
 from vrts.live.store.database import Database
 
 _log = logging.getLogger("vrts.live")
@@ -28,7 +29,7 @@ class Hub:
         self.settings = settings
         self.database = database
         self.rooms: dict[str, Room] = {}
-        self.muted: set[int] = set()  # accounts
+        self.muted: Bars = {}  # accounts that are not heard, with the names they had then
         self.failures = FailedLogIns()
         self.passwords = Passwords()
         self.projector = ""

@@ -77,6 +77,7 @@ async def say(
     line = Line(room.id, number, at, id_, name, text, private, read_by)
     await hub.database.do(lambda connection: keep_line(connection, line))
     shown_to = reader.name if reader else ""
-    said = Chat(number, at, speaker.id if speaker else "", name, text, private, shown_to)
+    role = room.role(speaker) if speaker else None
+    said = Chat(number, at, speaker.id if speaker else "", name, text, private, shown_to, role)
     room.chat.append((said, to))
     room.tell(said, number, to)

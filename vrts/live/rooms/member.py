@@ -23,6 +23,7 @@ class Member:
     id: str = field(default_factory=new_id)
     resume: str = field(default_factory=new_token)
     door: Door | None = None  # None: away
+    browsers: frozenset[bytes] = frozenset()  # digests by which the browser is known
     settled: bool = False  # has been sent a snapshot, and gets what is new
     seen: int | None = None  # number after which a returning client is told what it missed
     away_since: float = 0.0

@@ -9,7 +9,7 @@ from vrts.live.rooms.control import ControlRight
 from vrts.live.rooms.entering import send_away
 from vrts.live.rooms.hub import Hub
 from vrts.live.rooms.room import Room
-from vrts.live.store.bars import bars_of
+from vrts.live.store.bars import all_muted, bars_of
 from vrts.live.store.rooms import KeptRoom, Line, close_room, keep_room, lines, open_rooms
 from vrts.live.tokens import new_id
 
@@ -18,6 +18,7 @@ MOST_ROOMS: Final = 64
 
 async def open_kept(hub: Hub) -> None:
     """Open the rooms that were open when the server ended."""
+    hub.muted = await hub.database.do(all_muted)
     for kept in await hub.database.do(open_rooms):
         await _open(hub, kept)
 
@@ -38,7 +39,8 @@ async def _open(hub: Hub, kept: KeptRoom) -> Room:
     for line in await hub.database.do(lambda connection: lines(connection, kept.id)):
         room.number = line.number
         to = line.reader_name
-        said = Chat(line.number, line.at, "", line.name, line.text, line.private, to)
+        role = "supervisor" if line.supervisor else None
+        said = Chat(line.number, line.at, "", line.name, line.text, line.private, to, role)
         room.chat.append((said, _readers(line) if line.private else EVERYBODY))
     room.barred = await hub.database.do(lambda connection: bars_of(connection, kept.id))
     hub.rooms[kept.id] = room

@@ -42,16 +42,19 @@ def _pulse_room(hub: Hub, room: Room, now: float) -> None:
     room.set_pace()
     # a crowd is told less often: everybody is told about everybody
     if room.crowd_changed and now - room.crowd_changed > 0.004 * len(room.members):
-        room.show_people(frozenset(hub.muted))
+        room.show_people(hub.muted)
 
 
 async def _send_purged_away(hub: Hub) -> None:
     """End the places of accounts that were purged meanwhile, from the command line."""
-    present = {member.account.id for member in hub.everybody()}
-    if not present:
+    known = {member.account.id for member in hub.everybody()} | hub.muted.keys()
+    known.update(*(room.barred for room in hub.rooms.values()))
+    if not known:
         return
-    there = await hub.database.do(lambda connection: existing(connection, present))
-    for account in present - there:
+    there = await hub.database.do(lambda connection: existing(connection, known))
+    for account in known - there:
+        for kept in (hub.muted, *(room.barred for room in hub.rooms.values())):
+            kept.pop(account, None)
         for member in [m for m in hub.everybody() if m.account.id == account]:
             for room in hub.rooms.values():
                 room.forget(member.account.name)

@@ -240,7 +240,7 @@ class Room:
         """Have everybody told soon who is here."""
         self.crowd_changed = self.crowd_changed or time.time()
 
-    def show_people(self, muted: frozenset[int]) -> None:
+    def show_people(self, muted: Bars) -> None:
         """Tell everybody who is here."""
         self.crowd_changed = 0.0
         with_rates, without = (
@@ -249,14 +249,14 @@ class Room:
         for member in self.members.values():
             member.send(with_rates if member.supervisor else without)
 
-    def people(self, muted: frozenset[int], *, rates: bool) -> People:
+    def people(self, muted: Bars, *, rates: bool) -> People:
         """Return who is here; `rates`: with what only supervisors are told."""
         return People(
             tuple(
                 Person(
                     member.id,
                     member.account.name,
-                    self._role(member),
+                    self.role(member),
                     member.hand,
                     member.account.id in muted,
                     member.door is None,
@@ -265,9 +265,11 @@ class Room:
                 for member in self.members.values()
             ),
             tuple(sorted(set(self.barred.values()))) if rates else (),
+            tuple(sorted(set(muted.values()))) if rates else (),
         )
 
-    def _role(self, member: Member) -> Role:
+    def role(self, member: Member) -> Role:
+        """Return what somebody may do here."""
         if member.supervisor:
             return "supervisor"
         return "operator" if member.id == self.control.holder else "viewer"

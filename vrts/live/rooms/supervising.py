@@ -20,6 +20,7 @@ from vrts.live.protocol.from_supervisors import (
     SetChat,
     SetScene,
     SetTurn,
+    Unmute,
     WatchWall,
 )
 from vrts.live.refusal import NotObeyed
@@ -31,7 +32,8 @@ from vrts.live.rooms.member import Member
 from vrts.live.rooms.opening import change, close, make_room
 from vrts.live.rooms.room import Room
 from vrts.live.rooms.sessions import Sessions
-from vrts.live.store.bars import allow, bar
+from vrts.live.store.bars import allow, bar, mute, same_browser, unmute
+from vrts.live.store.database import Connection
 
 Supervision = (
     HandOver
@@ -40,6 +42,7 @@ Supervision = (
     | Kick
     | Allow
     | Mute
+    | Unmute
     | SetChat
     | SetTurn
     | SetScene
@@ -73,9 +76,9 @@ async def supervise(
             room.tell_people_soon()
             hub.rooms_changed()
         case Mute():
-            account = _person(room, message.person).account.id
-            (hub.muted.add if message.on else hub.muted.discard)(account)
-            room.tell_people_soon()
+            await _mute(hub, _person(room, message.person), on=message.on)
+        case Unmute():
+            await _unmute(hub, message.name)
         case SetChat():
             await change(hub, room, room.kept._replace(chat=message.on))
             room.show_control()
@@ -139,12 +142,49 @@ async def _kick(hub: Hub, room: Room, member: Member, message: Kick) -> None:
     account = _person(room, message.person).account
     if account.supervisor:
         raise NotObeyed("role", "a supervisor cannot be sent away")
-    await hub.database.do(lambda connection: bar(connection, room.id, account.id, account.name))
-    room.barred[account.id] = account.name
+
+    def work(connection: Connection) -> set[int]:
+        found = same_browser(connection, account.id)
+        for one in found:
+            bar(connection, room.id, one, account.name)
+        return found
+
+    sent_away = await hub.database.do(work)
+    room.barred.update(dict.fromkeys(sent_away, account.name))
     record(hub, room, "kick", member.account, {"whom": account.id})
     for other in list(room.members.values()):
-        if other.account.id == account.id:
+        if other.account.id in sent_away:
             send_away(hub, other, "kicked", "the supervisor has sent you away from this room")
+
+
+async def _mute(hub: Hub, person: Member, *, on: bool) -> None:
+    account = person.account
+    if not on:
+        await _unmute(hub, hub.muted.get(account.id, account.name))
+        return
+    if account.supervisor:
+        raise NotObeyed("role", "a supervisor cannot be muted")
+
+    def work(connection: Connection) -> set[int]:
+        found = same_browser(connection, account.id)
+        for one in found:
+            mute(connection, one, account.name)
+        return found
+
+    hub.muted.update(dict.fromkeys(await hub.database.do(work), account.name))
+    _tell_people(hub)
+
+
+async def _unmute(hub: Hub, name: str) -> None:
+    await hub.database.do(lambda connection: unmute(connection, name))
+    for account in [account for account, as_ in hub.muted.items() if as_ == name]:
+        del hub.muted[account]
+    _tell_people(hub)
+
+
+def _tell_people(hub: Hub) -> None:
+    for room in hub.rooms.values():
+        room.tell_people_soon()
 
 
 async def _set_scene(hub: Hub, sessions: Sessions, room: Room, member: Member, scene: str) -> None:

@@ -30,6 +30,7 @@ class Line(NamedTuple):
     private: bool
     reader: int | None  # account that may read a private line besides supervisors
     reader_name: str = ""  # kept with the account
+    supervisor: bool = False  # so is this
 
 
 def keep_room(connection: sqlite3.Connection, room: KeptRoom) -> None:
@@ -65,11 +66,13 @@ def keep_line(connection: sqlite3.Connection, line: Line) -> None:
 def lines(connection: sqlite3.Connection, room: str) -> list[Line]:
     """Return the last lines of chat of a room."""
     rows = connection.execute(
-        "SELECT chat.*, coalesce(account.name, '') FROM chat LEFT JOIN account ON account.id=reader"
+        "SELECT chat.*, coalesce(reading.name, ''), coalesce(saying.supervisor, 0) FROM chat"
+        " LEFT JOIN account AS reading ON reading.id=reader"
+        " LEFT JOIN account AS saying ON saying.id=chat.account"
         " WHERE chat.room=? ORDER BY number DESC LIMIT ?",
         (room, HISTORY),
     ).fetchall()
-    return [Line._make((*row[:6], bool(row[6]), *row[7:])) for row in reversed(rows)]
+    return [Line._make((*row[:6], bool(row[6]), *row[7:9], bool(row[9]))) for row in reversed(rows)]
 
 
 def next_number(connection: sqlite3.Connection, name: str) -> int:

@@ -36,7 +36,7 @@ export class Intake {
         break;
       case "state": this.state(message); break;
       case "no_session": store.set({ noSession: /** @type {any} */ (message) }); break;
-      case "people": store.set({ people: message.people, barred: message.barred }); break;
+      case "people": store.set({ people: message.people, barred: message.barred, muted: message.muted }); break;
       case "control": store.set({ control: /** @type {any} */ (message) }); break;
       case "chat": store.set({ chat: [...store.now.chat, /** @type {any} */ (message)].slice(-MOST_CHAT) }); break;
       case "now": store.set({ status: message.status }); break;

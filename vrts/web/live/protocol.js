@@ -18,6 +18,7 @@ export const FROM_CLIENT = {
   kick: ["person"],
   allow: ["name"],
   mute: ["person", "on"],
+  unmute: ["name"],
   set_chat: ["on"],
   set_turn: ["turn_s", "idle_s"],
   set_scene: ["scene"],
@@ -52,9 +53,9 @@ export const ACTIONS = {
 export const FROM_SERVER = {
   welcome: ["you", "name", "supervisor", "room", "resume", "resumed", "rate", "version"],
   snapshot: ["room", "rooms", "scenes", "number", "session", "scene_url", "state", "chat"],
-  people: ["people", "barred"],
+  people: ["people", "barred", "muted"],
   control: ["holder", "lease", "queue", "locked", "frozen", "chat", "turn_s", "idle_s", "ends"],
-  chat: ["number", "at", "person", "name", "text", "private", "to"],
+  chat: ["number", "at", "person", "name", "text", "private", "to", "role"],
   event: ["number", "event"],
   now: ["status"],
   state: ["session", "scene_url", "state"],
@@ -95,7 +96,8 @@ export const LONGEST_CHAT = 1000; // characters
  * @typedef {{id: string, name: string, scene: string, task: string, people: number, offered: boolean}} RoomEntry
  * @typedef {{id: string, task: boolean}} SceneEntry
  * @typedef {{why: string, help: string, choices: string[]}} NoSession
- * @typedef {{number: number, at: number, person: string, name: string, text: string, private: boolean, to: string}} Chat
+ * @typedef {{number: number, at: number, person: string, name: string, text: string, private: boolean, to: string,
+ *   role: "viewer"|"operator"|"supervisor"|null}} Chat
  * @typedef {{holder: string, lease: string, queue: string[], locked: boolean, frozen: boolean, chat: boolean,
  *   turn_s: number, idle_s: number, ends: number}} Control
  * @typedef {{time_s: number, joints_rad: number[], location: number[], hand_m: number, program: string, mode: string,

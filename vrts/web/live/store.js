@@ -18,6 +18,7 @@
  * @property {import("./protocol.js").NoSession | null} noSession why none begins by itself
  * @property {import("./protocol.js").Person[]} people
  * @property {string[]} barred names of those who were sent away, for supervisors
+ * @property {string[]} muted names of those who are not heard, for supervisors
  * @property {import("./protocol.js").Control} control
  * @property {import("./protocol.js").Chat[]} chat
  * @property {import("./protocol.js").Status | null} status
@@ -33,7 +34,7 @@
 function nothing() {
   return {
     connection: "connecting", ended: "", you: "", name: "", supervisor: false, alone: false, room: null, rooms: [], projector: "",
-    scenes: [], session: -1, sceneUrl: "", alive: false, noSession: null, people: [], barred: [], chat: [], status: null, programs: [],
+    scenes: [], session: -1, sceneUrl: "", alive: false, noSession: null, people: [], barred: [], muted: [], chat: [], status: null, programs: [],
     contacts: [], near: [], events: [], output: "", wall: [],
     control: { holder: "", lease: "", queue: [], locked: false, frozen: false, chat: true, turn_s: 0, idle_s: 0, ends: 0 },
   };

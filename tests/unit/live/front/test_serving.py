@@ -96,6 +96,7 @@ SUPERVISION: list[dict[str, Any]] = [
     {"type": "kick", "person": "x"},
     {"type": "allow", "name": "x"},
     {"type": "mute", "person": "x", "on": True},
+    {"type": "unmute", "name": "x"},
     {"type": "set_chat", "on": False},
     {"type": "set_turn", "turn_s": 1, "idle_s": 1},
     {"type": "set_scene", "scene": "one-can-ur5"},

@@ -39,7 +39,7 @@ def test_who_has_waited_for_a_snapshot_is_told_who_is_here(tmp_path: Path) -> No
     hub = Hub(settings, Database(tmp_path / "live.sqlite"))
     try:
         room.joining.append(Member(Account(1, "Ben", False, None), room.id))
-        room.show_people(frozenset())  # reaches nobody who waits
+        room.show_people({})  # reaches nobody who waits
         settle(hub, room, b"null")
         assert room.crowd_changed, "everybody is told again"
     finally:

@@ -8,16 +8,20 @@ from pathlib import Path
 import pytest
 
 from tests.support_live import Answer, Browser, LiveServer
+from vrts.live.new_account import add_user
 from vrts.live.session.views.frame import unpacked
 from vrts.live.settings import DATABASE
 from vrts.live.store import log
 from vrts.live.store.database import opened
+
+USER = {"user": "Eva", "password": "correct horse"}
 
 
 @pytest.fixture
 def server(tmp_path: Path) -> Iterator[LiveServer]:
     names = tmp_path / "rooms.txt"
     names.write_text("One\nTwo\n")
+    add_user(tmp_path / "live", USER["user"], USER["password"], supervisor=False)
     with LiveServer(tmp_path / "live", "--rooms", str(names)) as found:
         yield found
 
@@ -30,6 +34,11 @@ def present(browser: Browser) -> str:
 def refused(browser: Browser) -> bool:
     closed = browser.closed()
     return closed is not None and (closed["type"], closed["code"]) == ("closed", "kicked")
+
+
+def browser_of(cookies: str) -> str:
+    """Return the cookie that says which browser it is, and not who."""
+    return next(one for one in cookies.split("; ") if "_browser=" in one)
 
 
 def enter(server: LiveServer, name: str, cookie: str) -> Answer:
@@ -53,13 +62,13 @@ def test_who_was_sent_away_stays_away_until_they_are_allowed(server: LiveServer)
     again = enter(server, "Berta", cookie)
     assert room not in {r["id"] for r in again.json["rooms"]}
     assert refused(server.join(again.cookie, room=room)), "the same browser, another name"
-    out = server.request("POST", "/logout", cookie=again.cookie)
-    kept = [c.split(";")[0] for c in out.headers.get_all("set-cookie") or ()]
-    was = next(c for c in kept if "_was=" in c)
-    assert server.request("GET", "/me", cookie=was).status == 401, "it lets nobody in"
-    later = enter(server, "Carla", was)
+    server.request("POST", "/logout", cookie=again.cookie)
+    kept = browser_of(again.cookie)
+    assert server.request("GET", "/me", cookie=kept).status == 401, "it lets nobody in"
+    later = enter(server, "Carla", kept)
     assert refused(server.join(later.cookie, room=room)), "logged out in between"
     assert refused(server.join(server.enter("anna"), room=room)), "the same name elsewhere"
+    assert refused(server.join(server.enter("Аnnа"), room=room)), "one that looks the same"
     other = server.join(cookie)
     assert present(other) != room, "the other rooms stay open"
     present(server.join(server.enter("Doris"), room=room))
@@ -67,23 +76,82 @@ def test_who_was_sent_away_stays_away_until_they_are_allowed(server: LiveServer)
     boss.send("allow", name="Anna")
     boss.wait("people", lambda m: not m["barred"])
     assert present(server.join(cookie, room=room)) == room
-    assert present(server.join(again.cookie, room=room)) == room
+    assert present(server.join(later.cookie, room=room)) == room
 
 
-def test_bars_outlast_the_server(tmp_path: Path) -> None:
+def test_everybody_of_a_browser_is_sent_away_and_muted_together(server: LiveServer) -> None:
+    one = server.request("POST", "/enter", {"code": server.code, "name": "Anna"})
+    two = enter(server, "Berta", browser_of(one.cookie))
+    anna, berta = server.join(one.cookie), server.join(two.cookie)
+    boss, ben = server.join(server.supervisor()), server.join(server.enter("Ben"))
+    me = berta.wait("welcome")["you"]
+    anna.wait("snapshot")
+    boss.wait("people", lambda m: any(p["id"] == me for p in m["people"]))
+    boss.send("mute", person=me, on=True)
+    told = boss.wait("people", lambda m: m["muted"] == ["Berta"])
+    assert {p["name"] for p in told["people"] if p["muted"]} == {"Anna", "Berta"}
+    for muted in (anna, berta):
+        muted.send("say", text="hello")
+        assert muted.wait("refused")["code"] == "muted"
+    server.request("POST", "/logout", cookie=two.cookie)
+    for left in (anna, berta):
+        closed = left.closed()
+        assert closed is not None
+        assert (closed["code"], closed["text"]) == ("left", "you have logged out")
+    doris = server.join(enter(server, "Doris", browser_of(two.cookie)).cookie)
+    doris.wait("snapshot")
+    doris.send("say", text="hello")
+    assert doris.wait("refused")["code"] == "muted", "another name helps nothing"
+    assert not ben.wait("people")["muted"], "only supervisors are told"
+    boss.send("unmute", name="Berta")
+    boss.wait("people", lambda m: not m["muted"])
+    doris.send("say", text="it is me")
+    ben.wait("chat", lambda m: m["text"] == "it is me")
+    assert "hello" not in [m.get("text") for m in ben.came]
+
+    anna = server.join(one.cookie)
+    you = anna.wait("welcome")["you"]
+    anna.wait("snapshot")
+    boss.wait("people", lambda m: any(p["id"] == you for p in m["people"]))
+    boss.send("kick", person=you)
+    assert refused(anna)
+    assert refused(doris)
+    assert boss.wait("people", lambda m: bool(m["barred"]))["barred"] == ["Anna"]
+
+
+def test_a_log_out_ends_no_connection_of_another_browser(server: LiveServer) -> None:
+    here, there = (server.request("POST", "/login", USER).cookie for _ in range(2))
+    first, second = server.join(here), server.join(there)
+    for one in (first, second):
+        one.wait("snapshot")
+    server.request("POST", "/logout", cookie=here)
+    closed = first.closed()
+    assert closed is not None
+    assert closed["code"] == "left"
+    assert server.request("GET", "/me", cookie=here).status == 401
+    second.send("say", text="still here")
+    second.wait("chat", lambda m: m["text"] == "still here")
+
+
+def test_bars_and_mutes_outlast_the_server(tmp_path: Path) -> None:
     folder = tmp_path / "live"
     server = LiveServer(folder)
     cookie = server.enter("Anna")
     anna, boss = server.join(cookie), server.join(server.supervisor())
     room = present(anna)
-    boss.wait("people", lambda m: len(m["people"]) == 2)
+    ben = server.join(server.enter("Ben"))
+    boss.wait("people", lambda m: len(m["people"]) == 3)
     boss.send("kick", person=anna.came[0]["you"])
     assert refused(anna)
+    boss.send("mute", person=ben.wait("welcome")["you"], on=True)
+    boss.wait("people", lambda m: bool(m["muted"]))
     server.kill()
     server.close_browsers()
     server.start(str(server.port))
     with server:
         assert refused(server.join(cookie, room=room))
+        boss = server.join(server.supervisor())
+        assert boss.wait("people")["muted"] == ["Ben"]
 
 
 def test_who_is_purged_while_connected_is_gone(server: LiveServer, tmp_path: Path) -> None:

@@ -6,6 +6,7 @@ import { mountSettings } from "../panels/settings.js";
 import { mountStatus } from "../panels/status.js";
 import { STATES } from "../panels/top.js";
 import { mountViews } from "../panels/views.js";
+import { isolated } from "../names.js";
 import { persons } from "../persons.js";
 import { started } from "./room.js";
 
@@ -29,7 +30,8 @@ export function showProjector(me) {
     write(byId("task-name"), room?.task ?? "");
   });
   app.store.on(["control", "people"], ({ control, people }) => {
-    write(operator, `${people.find(({ id }) => id === control.holder)?.name ?? "nobody"} has control`);
+    const holder = people.find(({ id }) => id === control.holder)?.name;
+    operator.replaceChildren(holder ? isolated(holder) : "nobody", " has control");
     write(byId("crowd"), `${persons(people, control, "").filter(({ away }) => !away).length} here`);
   });
   app.store.on(["connection", "ended"], ({ connection, ended }) => {

@@ -4,6 +4,7 @@ import { Bodies } from "../bodies.js";
 import { Connection, Refusal } from "../connection.js";
 import { byId, button, figure, make, write } from "../dom.js";
 import { Intake } from "../intake.js";
+import { isolated } from "../names.js";
 import { mountEntrance } from "../panels/entrance.js";
 import { Store } from "../store.js";
 import { Toasts } from "../toasts.js";
@@ -86,13 +87,13 @@ class Card {
     this.project.setAttribute("aria-label", `Project ${row.name}`);
     this.open.setAttribute("aria-label", `Open ${row.name}`);
     const facts = [
-      ["Operator", row.operator || "nobody"], ["People", row.queue ? `${row.people}, ${row.queue} waiting` : String(row.people)],
+      ["Operator", row.operator ? isolated(row.operator) : "nobody"], ["People", row.queue ? `${row.people}, ${row.queue} waiting` : String(row.people)],
       ["Time", `${figure(row.time_s, 0)} s`], ["Contacts", String(row.contacts)], ["Mark", row.mark === null ? "–" : figure(row.mark, 1)],
     ];
-    this.facts.replaceChildren(...facts.map(([name, text]) => make("div", {}, make("dt", { text: name }), make("dd", { text }))));
+    this.facts.replaceChildren(...facts.map(([name, text]) => make("div", {}, make("dt", { text: String(name) }), make("dd", {}, text))));
     this.element.classList.toggle("touched", row.contacts > 0);
     this.tags.replaceChildren(
-      ...row.hands.map((name) => make("span", { class: "tag review", text: `${name} raises a hand` })),
+      ...row.hands.map((name) => make("span", { class: "tag review" }, isolated(name), " raises a hand")),
       ...(projected ? [make("span", { class: "tag", text: "on the projector" })] : []),
       ...(row.alive ? [] : [make("span", { class: "tag quiet", text: "does not run" })]),
     );

@@ -1,6 +1,7 @@
 // Chat with everybody, or with the supervisors only.
 
 import { byId, choice, make, onSubmit } from "../dom.js";
+import { badges, inText, isolated } from "../names.js";
 import { LONGEST_CHAT } from "../protocol.js";
 import { count } from "./tabs.js";
 
@@ -34,14 +35,14 @@ export function mountChat({ store, connection, toasts }) {
     const spoken = chat.at(-1);
     const speaker = store.now.people.find(({ id }) => id === spoken?.person);
     const heard = !spoken?.name || (speaker?.role === "supervisor" && speaker.id !== you && panel.hidden);
-    if (spoken && newest > last && last && heard) toasts.tell(spoken.name ? `${spoken.name}: ${spoken.text}` : spoken.text);
+    if (spoken && newest > last && last && heard) toasts.tell(spoken.name ? `${inText(spoken.name)}: ${spoken.text}` : spoken.text);
     last = Math.max(newest, last || 1);
   });
   document.addEventListener("panel", () => (list.scrollTop = list.scrollHeight));
   store.on(["people", "you", "supervisor"], ({ people, you, supervisor }) => {
     const before = to.value;
     const others = supervisor ? people.filter(({ id }) => id !== you) : [];
-    const options = [["all", "to all"], ["lead", supervisor ? "to supervisors" : "to supervisor"], ...others.map(({ id, name }) => [`one ${id}`, `to ${name}`])];
+    const options = [["all", "to all"], ["lead", supervisor ? "to supervisors" : "to supervisor"], ...others.map(({ id, name }) => [`one ${id}`, `to ${inText(name)}`])];
     to.replaceChildren(...options.map(([value, text]) => make("option", { value, text, selected: value === before })));
   });
   store.on(["control", "connection", "people", "you", "supervisor"], ({ control, connection: state, people, you, supervisor }) => {
@@ -57,6 +58,7 @@ export function mountChat({ store, connection, toasts }) {
 function entry(row, you) {
   const time = new Date(row.at * 1000).toLocaleTimeString([], { hour: "2-digit", minute: "2-digit" });
   const kind = row.name === "" ? "server" : row.person === you ? "own" : "";
-  const head = make("p", { class: "who" }, make("b", { text: row.name || "Server" }), ` ${time}`, ...(row.private ? [make("span", { class: "tag", text: `private, to ${row.to || "the supervisor"}` })] : []));
+  const head = make("p", { class: "who" }, make("b", {}, row.name ? isolated(row.name) : "Server"), ...badges(row.role), ` ${time}`,
+    ...(row.private ? [make("span", { class: "tag" }, "private, to ", row.to ? isolated(row.to) : "the supervisor")] : []));
   return make("div", { class: `line ${kind}` }, head, make("p", { class: "text", text: row.text }));
 }

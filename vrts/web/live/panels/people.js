@@ -1,6 +1,7 @@
 // Who is here, in which role, and who waits; for supervisors, what can be done about them.
 
 import { byId, button, make, write } from "../dom.js";
+import { badges, inText, isolated } from "../names.js";
 import { ordinal, persons } from "../persons.js";
 import { count } from "./tabs.js";
 
@@ -12,13 +13,12 @@ export function mountPeople({ store, connection, toasts }) {
     connection.send("raise_hand", { up: !people.find(({ id }) => id === you)?.hand });
   }, { id: "raise-hand" });
   const list = make("ul", { class: "people", "aria-label": "People" });
-  const away = make("ul", { class: "people", "aria-label": "Sent away" });
-  const sentAway = make("div", { class: "block", hidden: true }, make("h2", { text: "Sent away" }), away);
-  panel.append(make("div", { class: "row" }, hand), list, sentAway);
-  store.on(["barred", "supervisor"], ({ barred, supervisor }) => {
-    sentAway.hidden = !supervisor || !barred.length;
-    away.replaceChildren(...barred.map((name) => make("li", {}, make("span", { class: "person", text: name }),
-      make("div", { class: "row small" }, button("Let in again", () => connection.send("allow", { name }), { "aria-label": `Let in again: ${name}` })))));
+  const sentAway = held("Sent away", "Let in again", "allow", connection);
+  const silent = held("Muted, whatever name they take", "Let speak again", "unmute", connection);
+  panel.append(make("div", { class: "row" }, hand), list, sentAway.place, silent.place);
+  store.on(["barred", "muted", "supervisor"], ({ barred, muted, supervisor }) => {
+    sentAway.show(supervisor ? barred : []);
+    silent.show(supervisor ? muted : []);
   });
 
   /** @type {Set<string>} */
@@ -27,7 +27,7 @@ export function mountPeople({ store, connection, toasts }) {
     const now = people.filter(({ id, hand: up }) => up && id !== you);
     for (const { name } of supervisor ? now.filter(({ id }) => !raised.has(id)) : []) {
       count("people");
-      toasts.tell(`${name} raises a hand`);
+      toasts.tell(`${inText(name)} raises a hand`);
     }
     raised = new Set(now.map(({ id }) => id));
   });
@@ -48,30 +48,51 @@ export function mountPeople({ store, connection, toasts }) {
 }
 
 /**
+ * Return a list of names that a supervisor may undo something for.
+ * @param {string} title @param {string} undo @param {string} message that undoes it @param {import("../connection.js").Connection} connection
+ */
+function held(title, undo, message, connection) {
+  const list = make("ul", { class: "people", "aria-label": title });
+  const place = make("div", { class: "block", hidden: true }, make("h2", { text: title }), list);
+  const row = (/** @type {string} */ name) => make("li", {}, make("span", { class: "person" }, isolated(name)),
+    make("div", { class: "row small" }, button(undo, () => connection.send(message, { name }), { "aria-label": `${undo}: ${inText(name)}` })));
+  return {
+    place,
+    /** @param {string[]} names */
+    show(names) {
+      place.hidden = !names.length;
+      list.replaceChildren(...names.map(row));
+    },
+  };
+}
+
+/**
  * @param {import("../protocol.js").Person} person @param {import("../protocol.js").Control} control
  * @param {string} you @param {boolean} supervisor @param {import("../connection.js").Connection} connection
  */
 function row(person, control, you, supervisor, connection) {
   const place = control.queue.indexOf(person.id);
   const tags = [
-    person.id === control.holder && ["has control", "tag"],
     place >= 0 && [`${ordinal(place + 1)} in the queue`, "tag"],
-    person.role === "supervisor" && ["supervisor", "tag review"],
     person.hand && ["hand raised", "tag review"],
     person.muted && ["muted", "tag quiet"],
     person.away && ["away", "tag quiet"],
   ].filter(Boolean);
   const marks = /** @type {string[][]} */ (tags).map(([text, kind]) => make("span", { class: kind, text }));
-  const name = make("span", { class: "person", text: person.id === you ? `${person.name} (you)` : person.name });
-  const entry = make("li", { class: person.away ? "away" : "" }, name, ...marks);
+  const holds = person.id === control.holder;
+  const name = make("span", { class: "person" }, isolated(person.name), ...(person.id === you ? [" (you)"] : []));
+  const roles = [...(person.role === "supervisor" ? badges("supervisor") : []), ...(holds ? badges("operator") : [])];
+  const entry = make("li", { class: person.away ? "away" : "" }, name, ...roles, ...marks);
   if (supervisor) {
     const told = (/** @type {string} */ text, /** @type {string} */ type, /** @type {Record<string, unknown>} */ fields) =>
-      button(text, () => connection.send(type, fields), { "data-do": `${type} ${person.id}`, "aria-label": `${text}: ${person.name}` });
+      button(text, () => connection.send(type, fields), { "data-do": `${type} ${person.id}`, "aria-label": `${text}: ${inText(person.name)}` });
     const buttons = [
       ...(person.id === control.holder ? [] : [told("Give control", "hand_over", { person: person.id })]),
       ...(person.id === you ? [] : [
-        told(person.muted ? "Unmute" : "Mute", "mute", { person: person.id, on: !person.muted }),
-        button("Send away", () => window.confirm(`Send ${person.name} away? They cannot come back until you let them in again.`) && connection.send("kick", { person: person.id }), { "aria-label": `Send away: ${person.name}` }),
+        ...(person.role === "supervisor" ? [] : [
+          told(person.muted ? "Unmute" : "Mute", "mute", { person: person.id, on: !person.muted }),
+          button("Send away", () => window.confirm(`Send ${inText(person.name)} away? They cannot come back until you let them in again.`) && connection.send("kick", { person: person.id }), { "aria-label": `Send away: ${inText(person.name)}` }),
+        ]),
       ]),
       ...(person.rate ? [make("span", { class: "soft", text: `${person.rate} fps` })] : []),
     ];

@@ -2,6 +2,7 @@
 
 import { clockOffset } from "../account.js";
 import { byId, make, write } from "../dom.js";
+import { isolated } from "../names.js";
 import { ordinal, persons } from "../persons.js";
 
 const JUST_NOW = 1_500; // [ms]
@@ -12,6 +13,8 @@ export const STATES = { connecting: "connecting …", open: "connected", waiting
 export function mountTop({ store, connection, toasts, panic }) {
   let asked = -Infinity; // when control was asked for or handed back here [ms]
   let had = false;
+  /** @type {(string | Node)[]} who has control, in words */
+  let said = [];
   byId("panic").addEventListener("click", panic);
   byId("room-choice").addEventListener("change", () => {
     const url = new URL(location.href);
@@ -61,9 +64,9 @@ export function mountTop({ store, connection, toasts, panic }) {
     had = mine;
     byId("panic").hidden = !mine && !supervisor;
     document.body.classList.toggle("operates", mine);
-    const holder = people.find((person) => person.id === control.holder)?.name ?? "nobody";
-    const words = mine ? (alone ? "" : "You have control") : waits ? `${ordinal(place + 1)} in the queue; ${holder} has control` : `${holder} has control`;
-    byId("turn").dataset.words = control.frozen ? "Frozen by the supervisor" : control.locked ? `${words}, locked` : words;
+    const holder = people.find((person) => person.id === control.holder)?.name;
+    const words = mine ? [alone ? "" : "You have control"] : [waits ? `${ordinal(place + 1)} in the queue; ` : "", holder ? isolated(holder) : "nobody", " has control"];
+    said = control.frozen ? ["Frozen by the supervisor"] : control.locked ? [...words, ", locked"] : words;
     byId("turn").classList.toggle("mine", mine && !control.frozen && !control.locked);
     byId("turn").classList.toggle("stopped", control.frozen || control.locked);
     tick();
@@ -73,8 +76,9 @@ export function mountTop({ store, connection, toasts, panic }) {
   function tick() {
     const { ends } = store.now.control;
     const left = Math.max(Math.ceil(ends - (Date.now() / 1000 + clockOffset)), 0);
-    const words = byId("turn").dataset.words ?? "";
-    write(byId("turn"), ends ? `${words}, ${Math.floor(left / 60)}:${String(left % 60).padStart(2, "0")} left` : words);
+    const clock = ends ? `, ${Math.floor(left / 60)}:${String(left % 60).padStart(2, "0")} left` : "";
+    const now = make("span", {}, ...said.map((part) => (typeof part === "string" ? part : part.cloneNode(true))), clock);
+    if (byId("turn").textContent !== now.textContent) byId("turn").replaceChildren(now);
   }
   window.setInterval(tick, 500);
 }
