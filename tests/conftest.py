@@ -5,7 +5,10 @@ tried with all their examples.
 """
 
 import gc
+import os
+import shutil
 import signal
+import tempfile
 
 import pytest
 from hypothesis import settings
@@ -28,6 +31,19 @@ settings.load_profile("vrts")
 # inherits that: tests that interrupt one would wait for ever
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+_STATE = pytest.StashKey[str]()
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Keep keys of logs, which servers of tests make, away from the user's own."""
+    config.stash[_STATE] = os.environ["XDG_STATE_HOME"] = tempfile.mkdtemp(prefix="vrts-tests-")
+
+
+def pytest_unconfigure(config: pytest.Config) -> None:
+    """Forget those keys."""
+    shutil.rmtree(config.stash[_STATE])
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:

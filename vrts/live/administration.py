@@ -1,12 +1,17 @@
 """What is done to a server's folder from the command line, while it runs or not."""
 
 import shutil
+import time
+from collections.abc import Iterator
 from pathlib import Path
 
+from vrts.live.lasting.folder_lock import held
 from vrts.live.session.growing.folder import FILE, OFF
 from vrts.live.settings import DATABASE, SESSIONS
-from vrts.live.store import log
+from vrts.live.store import accepting, log, verifying
 from vrts.live.store.database import backup, opened
+from vrts.live.store.seals.sealing import seals_for
+from vrts.live.store.verifying import Finding
 from vrts.pipeline.files import CannotRead
 
 
@@ -21,14 +26,19 @@ def save_backup(folder: Path, target: Path) -> None:
     backup(folder / DATABASE, target)
 
 
-def purge_user(folder: Path, name: str) -> int:
+def purge_user(folder: Path, name: str, key: Path | None = None) -> int:
     """Forget all accounts of a name and what they wrote; return how many there were.
 
     A server that is running ends their connections within a second or so. Sessions in which they
     used the monitor lose the file of their history: they go on, and know the last ten minutes.
+
+    Raises:
+        CannotRead: There is no key of the logs that fits.
     """
-    connection = opened(folder / DATABASE)
+    path = folder / DATABASE
+    connection = opened(path)
     try:
+        seals_for(path, key, connection).attach(connection)
         connection.execute("BEGIN IMMEDIATE")
         rows = connection.execute("SELECT id FROM account WHERE name=?", (name,)).fetchall()
         for (account,) in rows:
@@ -45,11 +55,20 @@ def purge_user(folder: Path, name: str) -> int:
     return len(rows)
 
 
-def verify_logs(folder: Path) -> dict[str, str]:
-    """Return what is wrong with each room's log; empty words: nothing."""
-    connection = opened(folder / DATABASE)
-    try:
-        rooms = connection.execute("SELECT DISTINCT room FROM log ORDER BY room").fetchall()
-        return {room: log.verify(connection, room) for (room,) in rooms}
-    finally:
-        connection.close()
+def verify_logs(folder: Path, key: Path | None = None) -> Iterator[Finding]:
+    """Yield what is to be said of every room's log, and what is wrong with all of them.
+
+    Raises:
+        CannotRead: There is no key of the logs that fits.
+    """
+    return verifying.findings(folder / DATABASE, key)
+
+
+def accept_logs(folder: Path, key: Path | None = None) -> list[str]:
+    """Sign the logs as they are; return what did not fit.
+
+    Raises:
+        CannotRead: There is no key, and none can be made; or a server works in the folder.
+    """
+    with held(folder):
+        return accepting.accept(folder / DATABASE, key, time.time())

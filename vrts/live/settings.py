@@ -35,6 +35,7 @@ class Settings:
     turn_s: float = 0.0
     history_quota: int = HISTORY_QUOTA
     log_quota: int = LOG_QUOTA
+    log_key: Path | None = None  # file with the key of the logs; None: the usual one
     recorded: Callable[[str], None] | None = None  # told the row of every location recorded
 
     @property

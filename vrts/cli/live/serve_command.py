@@ -65,7 +65,9 @@ Examples:
 @click.option(
     "--purge-user", metavar="NAME", help="Forget a user, and end; logs can still be checked."
 )
-@click.option("--verify-logs", is_flag=True, help="Check the chains of all logs, and end.")
+@click.option("--verify-logs", is_flag=True, help="Check all logs and their signs, and end.")
+@click.option("--accept-logs", is_flag=True, help="Sign the logs as they are, and end.")
+@file_option("--log-key", help="File with the key that signs the logs, outside of the folder.")
 @file_option("--backup", help="Copy the database, and end.")
 @guarded
 def command(
@@ -89,6 +91,8 @@ def command(
     supervisor: bool,
     purge_user: str | None,
     verify_logs: bool,
+    accept_logs: bool,
+    log_key: Path | None,
     backup: Path | None,
 ) -> None:
     """Share sessions in the browser: a class works with one virtual robot together.
@@ -116,14 +120,14 @@ def command(
     `--tls-cert` and `--tls-key`, or put a proxy in front of it that passes `Host` and WebSockets
     on, with `--behind-proxy --name lab.example.org`.
     """
-    if add_user or purge_user or verify_logs or backup:
+    if add_user or purge_user or verify_logs or accept_logs or backup:
         from vrts.live.settings import DATABASE
         from vrts.live.store.unusable import in_one_sentence
 
         with in_one_sentence(folder / DATABASE):
-            administer(
-                folder, add_user, purge_user, backup, supervisor=supervisor, verify=verify_logs
-            )
+            administer(folder, add_user, purge_user, backup, log_key, supervisor=supervisor)
+            if accept_logs or verify_logs:
+                check_logs(folder, log_key, accept=accept_logs, verify=verify_logs)
         return
     if not scenes:
         fail("which scenes should be served?", ("such as `vrts serve cans-on-bases`",))
@@ -149,6 +153,7 @@ def command(
         turn_s=float(turn),
         history_quota=history_quota * 1_000_000,
         log_quota=log_quota * 1_000_000,
+        log_key=log_key,
     )
     listening = Listening(host, port, tls_cert, tls_key, behind_proxy)
     try:
@@ -162,9 +167,9 @@ def administer(
     add_user: str | None,
     purge_user: str | None,
     backup: Path | None,
+    log_key: Path | None,
     *,
     supervisor: bool,
-    verify: bool,
 ) -> None:
     """Do what the options ask for to a folder."""
     from vrts.live import administration
@@ -185,13 +190,29 @@ def administer(
         administration.save_backup(folder, backup)
         say(f"copied to {backup}")
     if purge_user:
-        count = administration.purge_user(folder, purge_user)
+        count = administration.purge_user(folder, purge_user, log_key)
         if not count:
             fail(f"there is no account `{purge_user}`", status=WRONG)
         say(f"accounts forgotten: {count}; the chains of the logs stay as they were")
+
+
+def check_logs(folder: Path, key: Path | None, *, accept: bool, verify: bool) -> None:
+    """Accept the logs of a folder, check them, or both."""
+    from vrts.live import administration
+
+    if not (folder / "live.sqlite").is_file():
+        fail(f"there is no server's database in `{folder}`")
+    if accept:
+        accepted = administration.accept_logs(folder, key)
+        for text in accepted:
+            warn(f"accepted: {text}")
+        if not accepted:
+            say("there was nothing to accept")
     if verify:
-        found = administration.verify_logs(folder)
-        for room, problem in found.items():
-            warn(f"{room}: {problem or 'unbroken'}")
-        if any(found.values()):
+        wrong = False
+        for found in administration.verify_logs(folder, key):
+            wrong |= found.wrong
+            room = f"{found.room} ({found.name}): " if found.name else f"{found.room}: "
+            warn(f"{room if found.room else ''}{found.text}")
+        if wrong:
             raise SystemExit(WRONG)

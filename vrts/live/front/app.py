@@ -36,7 +36,8 @@ def application(settings: Settings, code: str, address: str, rooms: tuple[str, .
         address: Where browsers find the server, without a slash at the end.
         rooms: Names of the rooms to begin with, in the first scene, where the database has none.
     """
-    hub = Hub(settings, Database(settings.folder / DATABASE))
+    signs = not settings.alone  # nothing is left behind of who teaches alone
+    hub = Hub(settings, Database(settings.folder / DATABASE, settings.log_key, signs=signs))
     sessions = Sessions(hub)
     seats = Seats()
     pages = Pages(hub, StaticFiles(), code, address)

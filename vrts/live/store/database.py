@@ -19,6 +19,8 @@ from types import TracebackType
 from typing import Any, TypeVar
 
 from vrts.live.store.migrations import STEPS, NotMigrated, migrate, version_of
+from vrts.live.store.seals.connection import SealedConnection
+from vrts.live.store.seals.sealing import Seals, seals_for
 from vrts.live.store.unusable import require_ours
 
 Answer = TypeVar("Answer")
@@ -30,7 +32,7 @@ _MAGIC = b"SQLite format 3\0"
 _TOGETHER = 200  # jobs of one commit
 
 
-def opened(path: Path) -> sqlite3.Connection:
+def opened(path: Path) -> SealedConnection:
     """Open a database, readable by its owner only, with the present tables.
 
     One of before is copied beside it, with its version in the name, before it is changed.
@@ -42,7 +44,9 @@ def opened(path: Path) -> sqlite3.Connection:
     """
     require_ours(path)
     os.close(os.open(path, os.O_CREAT | os.O_RDWR, 0o600))
-    connection = sqlite3.connect(path, isolation_level=None, check_same_thread=False)
+    connection = sqlite3.connect(
+        path, isolation_level=None, check_same_thread=False, factory=SealedConnection
+    )
     connection.execute("PRAGMA journal_mode=WAL")
     connection.execute("PRAGMA synchronous=NORMAL")
     connection.execute("PRAGMA foreign_keys=ON")
@@ -127,10 +131,27 @@ def backup(path: Path, target: Path) -> None:
 class Database:
     """Does jobs one after another in a thread of its own."""
 
-    def __init__(self, path: Path) -> None:
-        """Open the file and start the thread."""
+    def __init__(self, path: Path, key: Path | None = None, *, signs: bool = False) -> None:
+        """Open the file and start the thread.
+
+        Args:
+            path: Of the database.
+            key: File with the key of the logs, if not the usual one.
+            signs: Whether logs are signed.
+
+        Raises:
+            CannotRead: There is no key that fits.
+        """
         self.path = path
         self._connection = opened(path)
+        self.seals: Seals | None = None
+        if signs:
+            try:
+                self.seals = seals_for(path, key, self._connection)
+                self.seals.attach(self._connection)
+            except BaseException:
+                self._connection.close()
+                raise
         self._jobs: SimpleQueue[tuple[Job, Future[Any]] | None] = SimpleQueue()
         self._thread = threading.Thread(target=self._work, name="database", daemon=True)
         self._thread.start()
@@ -154,6 +175,8 @@ class Database:
         """Finish what waits, and close the file."""
         self._jobs.put(None)
         self._thread.join()
+        if self.seals is not None:
+            self.seals.remember(self._connection, at_once=True)
         self._connection.close()
 
     def _work(self) -> None:
@@ -184,6 +207,7 @@ class Database:
         done: list[tuple[Future[Any], Any]] = []
         try:
             connection.execute("BEGIN IMMEDIATE")
+            connection.touched.clear()
             for job, future in together:
                 connection.execute("SAVEPOINT job")
                 with _PassedOn(future):
@@ -191,12 +215,16 @@ class Database:
                 if future.done():  # it failed
                     connection.execute("ROLLBACK TO job")
                 connection.execute("RELEASE job")
+            if self.seals is not None:
+                self.seals.seal(connection)
             connection.execute("COMMIT")
         finally:
             if connection.in_transaction:  # such as with a full disk: nothing is acknowledged
                 connection.execute("ROLLBACK")
         for future, answer in done:
             future.set_result(answer)
+        if self.seals is not None:
+            self.seals.remember(connection)
 
 
 class _PassedOn:

@@ -2,14 +2,23 @@
 
 import secrets
 import sqlite3
+import time
 from collections.abc import Iterator
-from typing import Final, NamedTuple
+from typing import Any, Final, NamedTuple, TypeGuard
 
 import msgspec
 
 from vrts.live.store.chain import START, Record, record_hash, salted
+from vrts.live.store.seals.connection import appending, signature
+from vrts.live.store.seals.heads import NAME, PURGED
 
 RECORD: Final = 300  # bytes that a record takes beside its text, about
+SALT: Final = 16  # bytes
+NOBODY: Final = bytes(32)  # in place of a person's digest: the server itself, or who was purged
+ASKED: Final = "somebody was purged"
+LATE: Final = "recorded after its person was purged"
+
+_KINDS: Final = (str, int, int, float, float, str, int, bytes, bytes, bytes, bytes)
 
 
 class Entry(NamedTuple):
@@ -52,7 +61,8 @@ def append(connection: sqlite3.Connection, entry: Entry) -> int:
         "SELECT seq, hash FROM log WHERE room=? ORDER BY seq DESC LIMIT 1", (entry.room,)
     ).fetchone()
     seq, previous = (last[0] + 1, last[1]) if last else (1, START)
-    salt = secrets.token_bytes(16)
+    appending(connection, entry.room, seq - 1, previous)
+    salt = secrets.token_bytes(SALT)
     record = Record(
         entry.room,
         seq,
@@ -83,7 +93,7 @@ def append_now(connection: sqlite3.Connection, entry: Entry) -> None:
     row = connection.execute("SELECT 1 FROM account WHERE id=?", (entry.account,)).fetchone()
     seq = append(connection, entry if row else entry._replace(account=None, name=""))
     if row is None:
-        connection.execute("DELETE FROM log_text WHERE room=? AND seq=?", (entry.room, seq))
+        _purge_text(connection, entry.room, seq, entry.wall, LATE)
 
 
 def records(connection: sqlite3.Connection, room: str) -> Iterator[Logged]:
@@ -101,24 +111,55 @@ def records(connection: sqlite3.Connection, room: str) -> Iterator[Logged]:
 
 
 def verify(connection: sqlite3.Connection, room: str) -> str:
-    """Return what is wrong with the log of a room; empty: nothing, purged or not."""
-    previous = START
-    for number, logged in enumerate(records(connection, room), 1):
-        record = logged.record
-        if record.seq != number:
-            return f"record {number} is missing"
-        if record.previous != previous or record_hash(record) != logged.hash:
-            return f"record {number} was changed"
-        previous = logged.hash
+    """Return what is wrong with the log of a room; empty: nothing, purged or not.
+
+    Records, texts and persons have to fit the chain. What is missing at the end, or was purged
+    by nobody, only signs tell (`seals`).
+    """
+    number, previous = 0, START
     rows = connection.execute(
-        "SELECT seq, content, salt, text FROM log JOIN log_text USING (room, seq) WHERE room=?"
-        " ORDER BY seq",
+        "SELECT log.*, log_text.account, log_text.salt, log_text.text, log_name.salt"
+        " FROM log LEFT JOIN log_text USING (room, seq) LEFT JOIN log_name"
+        " ON log_name.room=log.room AND log_name.account=log_text.account"
+        " WHERE log.room=? ORDER BY seq",
         (room,),
     )
-    for seq, content, salt, text in rows:
-        if salted(salt, text) != content:
-            return f"the text of record {seq} was changed"
+    try:
+        for number, row in enumerate(rows, 1):
+            wrong = _wrong(number, previous, row)
+            if wrong:
+                return wrong
+            previous = row[10]
+    except sqlite3.Error as problem:
+        return f"record {number + 1} cannot be read: {problem}"
     return ""
+
+
+def _wrong(number: int, previous: bytes, row: tuple[Any, ...]) -> str:
+    """Return what is wrong with a record, its text and its person; empty: nothing."""
+    if row[1] != number:
+        return f"record {number} is missing"
+    if not all(isinstance(value, kind) for value, kind in zip(row, _KINDS, strict=False)):
+        return f"record {number} has values of foreign kinds"
+    record = Record._make((*row[:6], bool(row[6]), *row[7:10]))
+    if record.previous != previous or record_hash(record) != row[10]:
+        return f"record {number} was changed"
+    account, salt, text, salt_of_person = row[11:]
+    if text is None and salt is None and account is None:
+        return ""
+    if not (isinstance(text, str) and _is_salt(salt)) or salted(salt, text) != record.content:
+        return f"the text of record {number} was changed"
+    if account is None:
+        person = NOBODY
+    elif isinstance(account, int) and _is_salt(salt_of_person):
+        person = salted(salt_of_person, str(account))
+    else:
+        person = b""
+    return "" if person == record.person else f"the person of record {number} was exchanged"
+
+
+def _is_salt(value: object) -> TypeGuard[bytes]:
+    return isinstance(value, bytes) and len(value) == SALT
 
 
 def export(connection: sqlite3.Connection, room: str, *, names: bool) -> bytes:
@@ -150,23 +191,39 @@ def export(connection: sqlite3.Connection, room: str, *, names: bool) -> bytes:
 
 
 def purge(connection: sqlite3.Connection, account: int) -> None:
-    """Forget who somebody was and what they wrote; the chains stay as they are."""
-    connection.execute("DELETE FROM log_text WHERE account=?", (account,))
+    """Forget who somebody was and what they wrote; the chains stay, with a note for each text."""
+    at = time.time()
+    rows = connection.execute("SELECT room, seq FROM log_text WHERE account=?", (account,))
+    for room, seq in rows.fetchall():
+        _purge_text(connection, room, seq, at, ASKED)
     connection.execute("DELETE FROM log_name WHERE account=?", (account,))
     connection.execute("DELETE FROM chat WHERE account=? OR reader=?", (account, account))
     connection.execute("DELETE FROM account WHERE id=?", (account,))
 
 
+def _purge_text(connection: sqlite3.Connection, room: str, seq: int, at: float, why: str) -> None:
+    """Remove the text of a record, and note that it was purged."""
+    at = round(at, 3)
+    (content,) = connection.execute(
+        "SELECT content FROM log WHERE room=? AND seq=?", (room, seq)
+    ).fetchone()
+    connection.execute("DELETE FROM log_text WHERE room=? AND seq=?", (room, seq))
+    seal = signature(connection, PURGED, room, seq, content, at, why)
+    connection.execute(
+        "INSERT OR REPLACE INTO log_purged VALUES (?,?,?,?,?)", (room, seq, at, why, seal)
+    )
+
+
 def _person(connection: sqlite3.Connection, entry: Entry) -> bytes:
     """Return the digest of who did it, the same for all that one person does in a room."""
     if entry.account is None:
-        return bytes(32)
+        return NOBODY
     of = (entry.room, entry.account)
     row = connection.execute("SELECT salt FROM log_name WHERE room=? AND account=?", of).fetchone()
-    salt = row[0] if row else secrets.token_bytes(16)
+    salt = row[0] if row else secrets.token_bytes(SALT)
     if row is None:
         connection.execute(
-            "INSERT INTO log_name (room, account, salt, name) VALUES (?,?,?,?)",
-            (*of, salt, entry.name),
+            "INSERT INTO log_name (room, account, salt, name, seal) VALUES (?,?,?,?,?)",
+            (*of, salt, entry.name, signature(connection, NAME, *of, salt, entry.name)),
         )
     return salted(salt, str(entry.account))

@@ -3,6 +3,8 @@
 import sqlite3
 from typing import Final, NamedTuple
 
+from vrts.live.store.seals.connection import naming
+
 HISTORY: Final = 200  # lines of chat that late comers see
 
 
@@ -35,6 +37,8 @@ class Line(NamedTuple):
 
 def keep_room(connection: sqlite3.Connection, room: KeptRoom) -> None:
     """Write a room as it is now."""
+    row = connection.execute("SELECT name FROM room WHERE id=?", (room.id,)).fetchone()
+    naming(connection, room.id, row[0] if row else None)
     connection.execute(
         "INSERT INTO room (id, name, scene, place, chat, turn_s, idle_s) VALUES (?,?,?,?,?,?,?)"
         " ON CONFLICT (id) DO UPDATE SET name=excluded.name, scene=excluded.scene,"

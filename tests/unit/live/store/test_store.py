@@ -18,6 +18,7 @@ from vrts.live.store.database import Database, backup, opened
 from vrts.live.store.log import Entry
 from vrts.live.store.migrations import STEPS, NotMigrated, TooNew, migrate
 from vrts.live.store.rooms import KeptRoom, Line, keep_line, keep_room, lines, open_rooms
+from vrts.live.store.verifying import findings
 from vrts.live.tokens import new_token
 
 
@@ -234,7 +235,7 @@ def test_a_database_that_is_closed_says_so(tmp_path: Path) -> None:
 
 
 def _write_forever(path: Path, acknowledged: Pipe) -> None:
-    database = Database(path)
+    database = Database(path, path.parents[1] / "key", signs=True)
     n = 0
     while True:
         n += 1
@@ -244,7 +245,8 @@ def _write_forever(path: Path, acknowledged: Pipe) -> None:
 
 
 def test_killing_the_writer_loses_nothing_acknowledged(tmp_path: Path) -> None:
-    path = tmp_path / "live.sqlite"
+    path = tmp_path / "live" / "live.sqlite"
+    path.parent.mkdir()
     ours, theirs = multiprocessing.Pipe(duplex=False)
     writer = multiprocessing.get_context("spawn").Process(
         target=_write_forever, args=(path, theirs)
@@ -267,6 +269,8 @@ def test_killing_the_writer_loses_nothing_acknowledged(tmp_path: Path) -> None:
     (kept,) = connection.execute("SELECT max(seq) FROM log").fetchone()
     connection.close()
     assert kept in (last, last + 1), "one may be kept that was not acknowledged any more"
+    told = [(one.text, one.wrong) for one in findings(path, tmp_path / "key")]
+    assert told == [(f"unbroken, {kept} records", False)], "each with its sign, or neither"
 
 
 def test_a_backup_while_writing_is_whole(tmp_path: Path) -> None:
