@@ -22,6 +22,7 @@ FROM_SESSION = (
     messages.Output,
     messages.Programs,
     messages.Checked,
+    messages.Marked,
     messages.Began,
     messages.Done,
     messages.Reached,
@@ -70,6 +71,9 @@ def test_both_sides_know_the_same_fields(name: str, kinds: tuple[Any, ...]) -> N
         ("Control", Control),
         ("Status", messages.Status),
         ("Placed", messages.Placed),
+        ("Lost", messages.Lost),
+        ("Part", messages.Part),
+        ("Marked", messages.Marked),
     ],
 )
 def test_types_have_the_same_fields(typedef: str, kind: type[msgspec.Struct]) -> None:

@@ -32,6 +32,7 @@ from vrts.check.verdicts.targets import describe
 from vrts.check.verdicts.vias import Lack, Passed
 from vrts.engine.hand.told import DROP_HEIGHT
 from vrts.engine.memory.events import Cause, Found, Released
+from vrts.engine.memory.records import Ending
 from vrts.engine.motion.remarks import JOINT_SPEED
 from vrts.engine.programs.locks import LOCKED_SETTING
 from vrts.engine.run import Run
@@ -316,6 +317,8 @@ def stopped_by(run: Run) -> Loss | None:
     errors = [e for e in errors if e.diagnostic.rule not in STOP_NOTHING]
     if not errors:
         sentence, hint = f"the program is {run.ending.value} at the end", "let it come to its end"
+        if run.ending is Ending.NOT_STARTED:
+            sentence, hint = "nothing was executed", "execute a program"
         return Loss(NOTHING, "program", sentence, hint, None, None)
     event = errors[-1]
     found = event.diagnostic

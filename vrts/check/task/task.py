@@ -60,6 +60,7 @@ class Task:
     locks: Locks = USUAL_LOCKS  # what programs may not set
     proof: ProofDemand | None = None  # what is asked about every future; None: nothing
     hints: Hints = Hints.EDIT  # what authors of programs may be told of what would mend them
+    description: str = ""  # what is to be done, in the words of who set the task
 
     @property
     def targets(self) -> tuple[Goal | Relation, ...]:

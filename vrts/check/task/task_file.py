@@ -60,6 +60,7 @@ def _task(
     if section is None:
         return None
     title = section.string("title", name)
+    description = section.string("description", "").strip()
     scene_name = section.string("scene", required=True) or ""
     section.string("lab")  # for `task_places`
     section.string("controller", choices=MODELS)  # for `task_places`
@@ -100,6 +101,7 @@ def _task(
         locks,
         proof,
         hints,
+        description,
     )
 
 

@@ -25,6 +25,7 @@ from vrts.live.session.operator.folders import Folders
 from vrts.live.session.operator.held_key import HeldKey
 from vrts.live.session.views.showing import Showing
 from vrts.live.session.views.status import runs
+from vrts.live.session.views.task_view import task_view
 from vrts.monitor.desk import Desk
 from vrts.pipeline.setting import Setting
 from vrts.scene.model import Limits, Scenario
@@ -70,6 +71,7 @@ class Session:
         self._clock = clock
         self._forgets = forgets
         self._sequence = 0
+        self._task = None if setting.task is None else task_view(setting.scene, setting.task)
         self._folders = Folders(Path(start.folder), start.quota)
         self._past = Past(Path(start.folder), start.history) if forgets else None
         self._begin(())
@@ -90,6 +92,7 @@ class Session:
         self.showing = Showing(self.growing, self.conversation, self._key, self.start.session)
         if task is not None:
             self.showing.total = float(task.mark.total)
+        self.showing.task = self._task
         self._acting = Acting(self.growing, self.conversation, self._key, self.showing)
         self._waiting: deque[_Waiting] = deque()
         if memory:

@@ -50,6 +50,11 @@ export function write(element, text) {
   if (element.textContent !== text) element.textContent = text;
 }
 
+/** Return a text in which words between backticks are code. @param {string} text @returns {Node[]} */
+export function prose(text) {
+  return text.split("`").map((part, index) => (index % 2 ? make("code", { text: part }) : document.createTextNode(part)));
+}
+
 /** Return a number for people: a true minus, no −0. @param {number} value @param {number} digits */
 export function figure(value, digits) {
   return value.toFixed(digits).replace(/^-(0(\.0*)?)$/, "$1").replace("-", "−");

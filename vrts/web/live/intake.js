@@ -58,13 +58,14 @@ export class Intake {
     const { state } = message;
     if (message.session !== this.store.now.session) this.heard.jumped();
     if (!state) {
-      this.store.set({ session: message.session ?? FIRST, sceneUrl: message.scene_url, alive: false, status: null });
+      this.store.set({ session: message.session ?? FIRST, sceneUrl: message.scene_url, alive: false, status: null, marked: null });
       return;
     }
     this.bodies.reset(state.bodies);
     this.store.set({
       session: message.session, sceneUrl: message.scene_url, alive: true, status: state.status, programs: state.programs,
       contacts: state.contacts, near: state.near, events: state.events, output: state.output,
+      task: state.task, marked: state.marked,
     });
   }
 
@@ -78,6 +79,7 @@ export class Intake {
         store.set({ output: (store.now.output + event.text).slice(-MOST_OUTPUT) });
         if (store.now.status) store.set({ status: { ...store.now.status, prompt: event.prompt } });
         break;
+      case "marked": store.set({ marked: /** @type {any} */ (event) }); break;
       case "programs": store.set({ programs: event.programs }); break;
       case "checked": {
         // what is found late is shown late, but it is shown

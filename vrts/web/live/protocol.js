@@ -77,12 +77,13 @@ export const FROM_SESSION = {
   output: ["time_s", "text", "prompt"],
   programs: ["programs"],
   checked: ["checked_s", "contacts", "near", "undetermined", "mark"],
+  marked: ["time_s", "mark", "total", "lost", "parts"],
   began: ["time_s", "epoch_s"],
   done: ["ref", "at_s", "accepted", "text", "help", "code", "counts", "row"],
   reached: ["ref", "reachable", "why", "code", "branch", "joints_rad", "way", "touches", "path_m", "method"],
   status: ["time_s", "joints_rad", "location", "hand_m", "program", "mode", "step", "line", "text", "speed",
     "signals", "held", "prompt", "contacts", "checked_s", "mark", "tool", "total"],
-  snapshot: ["ref", "status", "bodies", "programs", "contacts", "near", "events", "output"],
+  snapshot: ["ref", "status", "bodies", "programs", "contacts", "near", "events", "output", "task", "marked"],
 };
 
 export const VERSION = 1;
@@ -109,6 +110,16 @@ export const LONGEST_CHAT = 1000; // characters
  *   deepest: number, point: number[], held: string, line: number, depthMm?: number, distanceMm?: number,
  *   heard?: number}} Contact `heard`: session time at which the page learnt of it [s]
  * @typedef {{time_s: number, kind: string, text: string, program: string, line: number}} Happened
+ * @typedef {{points: string, kind: string, text: string, at_s: number | null}} Lost
+ * @typedef {{check: string, title: string, kind: string, answer: string, points: string, most: string, text: string}} Part
+ * @typedef {{time_s: number, mark: number, total: number, lost: Lost[], parts: Part[]}} Marked
+ * @typedef {{lower: number[], upper: number[]}} BoxView corners [m]
+ * @typedef {{kind: "goal"|"relation", check: string, title: string, words: string, bodies: string[], places: import("./goal_distance.js").Place[],
+ *   shapes: Record<string, import("./goal_distance.js").Shape>, positionMm: number, orientationDeg: number, other?: string, box?: BoxView | null}} GoalView
+ *   a relation has neither shapes nor tolerances
+ * @typedef {{check: string, name: string, point: number[], radius: number, approach: number[] | null, words: string}} ViaView
+ * @typedef {{title: string, text: string, total: number, zeroAt: number, ordered: boolean, goals: GoalView[], vias: ViaView[],
+ *   zones: ({name: string} & BoxView)[], rules: {text: string, name: string, worth: string}[]}} TaskView what `task_view` makes of a task
  * @typedef {{ref: number, at_s: number, accepted: boolean, text: string, help: string, code: string}} Done
  * @typedef {{text: string, parts: [string, string], start: number, end: number, point: [number, number, number],
  *   at_goal: boolean}} WayTouch

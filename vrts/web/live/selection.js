@@ -44,6 +44,8 @@ export function alsoPicks(at) {
 export function bodyAt(viewer, x, y) {
   const area = viewer.canvas.getBoundingClientRect();
   const caster = new Raycaster();
+  viewer.scene.updateMatrixWorld(); // what is seen now, drawn or not
+  viewer.camera.updateMatrixWorld();
   caster.setFromCamera(new Vector2((2 * (x - area.left)) / area.width - 1, 1 - (2 * (y - area.top)) / area.height), viewer.camera);
   /** @type {import("three").Object3D[]} */
   const solids = [];

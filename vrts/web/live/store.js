@@ -26,6 +26,8 @@
  * @property {import("./protocol.js").Contact[]} contacts
  * @property {import("./protocol.js").Contact[]} near
  * @property {import("./protocol.js").Happened[]} events
+ * @property {import("./protocol.js").TaskView | null} task
+ * @property {import("./protocol.js").Marked | null} marked the public mark with every lost point
  * @property {string} output the end of what the monitor shows
  * @property {import("./protocol.js").WallRow[]} wall
  */
@@ -35,7 +37,7 @@ function nothing() {
   return {
     connection: "connecting", ended: "", you: "", name: "", supervisor: false, alone: false, room: null, rooms: [], projector: "",
     scenes: [], session: -1, sceneUrl: "", alive: false, noSession: null, people: [], barred: [], muted: [], chat: [], status: null, programs: [],
-    contacts: [], near: [], events: [], output: "", wall: [],
+    contacts: [], near: [], events: [], output: "", task: null, marked: null, wall: [],
     control: { holder: "", lease: "", queue: [], locked: false, frozen: false, chat: true, turn_s: 0, idle_s: 0, ends: 0 },
   };
 }

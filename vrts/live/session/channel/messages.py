@@ -281,6 +281,37 @@ class Checked(News, frozen=True, tag="checked"):
     mark: float | None = None  # as in `Status`
 
 
+class Lost(msgspec.Struct, frozen=True):
+    """Points lost to one cause, as a report's table shows them."""
+
+    points: str  # "−1.5"
+    kind: str  # of `check.mark.grade.Loss`
+    text: str
+    at_s: float | None = None  # when it happened; None: it is about the whole
+
+
+class Part(msgspec.Struct, frozen=True):
+    """What one thing that the task asks for has earned so far."""
+
+    check: str  # name of the verdict
+    title: str
+    kind: str  # of `check.mark.grade.Earned`
+    answer: str  # "holds", "violated", "undetermined"; empty: not looked at
+    points: str
+    most: str
+    text: str  # what is wrong; empty: nothing
+
+
+class Marked(News, frozen=True, tag="marked"):
+    """The public mark of now with every lost point: sent when something about it has changed."""
+
+    time_s: float  # up to this time
+    mark: float
+    total: float
+    lost: tuple[Lost, ...]
+    parts: tuple[Part, ...]
+
+
 class Began(News, frozen=True, tag="began"):
     """Session time has jumped: scene reset, or session rewound. A `Snapshot` follows."""
 
@@ -299,6 +330,8 @@ class Snapshot(News, frozen=True, tag="snapshot"):
     near: tuple[Json, ...]
     events: tuple[Happened, ...]  # the last ones
     output: str  # the end of what the terminal shows
+    task: Json | None = None  # what the page shows of it (`task_view`)
+    marked: Marked | None = None  # None: no task, or not judged yet
 
 
 FromSession = (
@@ -314,6 +347,7 @@ FromSession = (
     | Status
     | Programs
     | Checked
+    | Marked
     | Began
     | Snapshot
 )

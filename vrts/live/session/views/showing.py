@@ -8,6 +8,7 @@ from vrts.ir.entry import entry_among
 from vrts.live.session.channel.messages import (
     Happened,
     Json,
+    Marked,
     Moved,
     News,
     Output,
@@ -64,7 +65,8 @@ class Showing:
         self.contacts: list[Json] = []
         self.near: list[Json] = []
         self.checked_s = 0.0
-        self.mark: float | None = None
+        self.marked: Marked | None = None
+        self.task: Json | None = None  # what is shown of it
         self.total = float(TOTAL)
 
     # --- what happens -------------------------------------------------------------------------
@@ -105,7 +107,12 @@ class Showing:
         self.contacts = [row for row in self.contacts if _start(row) <= time_s]
         self.near = [row for row in self.near if _start(row) <= time_s]
         self.checked_s = min(self.checked_s, time_s)
-        self.mark = None
+        self.marked = None
+
+    @property
+    def mark(self) -> float | None:
+        """The public mark; None: no task, or not judged yet."""
+        return None if self.marked is None else self.marked.mark
 
     def tell_again(self) -> None:
         """Have the state told with the next beat, though nothing has changed."""
@@ -202,6 +209,8 @@ class Showing:
             tuple(self.near),
             tuple(self._events),
             self._output,
+            self.task,
+            self.marked,
         )
 
 

@@ -26,6 +26,7 @@ import { mountPointing } from "../panels/pointing.js";
 import { mountPrograms } from "../panels/programs.js";
 import { mountSettings, wantedRate } from "../panels/settings.js";
 import { mountStatus } from "../panels/status.js";
+import { mountTask } from "../panels/task.js";
 import { mountTabs } from "../panels/tabs.js";
 import { mountTop } from "../panels/top.js";
 import { mountViews } from "../panels/views.js";
@@ -54,6 +55,7 @@ export function showRoom(me, wanted) {
   mountStatus(app);
   mountPast(app);
   mountTabs(app);
+  mountTask(app);
   mountMonitor(app);
   mountButtons(app);
   mountPendant(app);
