@@ -199,6 +199,8 @@ export class BufferAttribute {
 }
 
 export class BufferGeometry {
+  boundingBox: Box3 | null;
+  computeBoundingBox(): void;
   setAttribute(name: string, attribute: BufferAttribute): this;
   getAttribute(name: string): BufferAttribute;
   deleteAttribute(name: string): this;
