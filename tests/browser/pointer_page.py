@@ -10,6 +10,7 @@ from playwright.sync_api import Browser
 from tests.browser.support import DOTS, FRAMES, UNDRAWN, Opened, until
 from vrts.live.session.channel import messages as m
 from vrts.live.session.live_session import Session
+from vrts.live.session.ways.ways import Ways
 from vrts.pipeline.scenes import load_scene
 from vrts.report.page.viewer_data import pose_numbers, scene_data
 from vrts.robots.kinematics.kinematics import forward
@@ -62,6 +63,7 @@ class Asked:
         self.session = Session(
             m.Start(1, str(folder), "cans-on-bases"), setting, self.said.append, lambda: 0.0
         )
+        self.ways = Ways(self.session, self.said.append, forks=False)
         self.scene = setting.scene
         planner = self.session.growing.machine.system.planner
         self.configuration: Configuration = self.session.growing.configuration
@@ -76,7 +78,7 @@ class Asked:
     def reach(self, question: dict[str, object]) -> object:
         """Return the answer to a question as the browser asks it."""
         order = msgspec.convert({"type": "ask_reach", "ref": 1, **question}, m.AskReach)
-        self.session.take(order)
+        self.ways.ask(order)
         return msgspec.to_builtins(self.said.pop())
 
 

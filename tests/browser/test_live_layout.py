@@ -11,7 +11,6 @@ from tests.support_live import LiveServer
 
 pytestmark = pytest.mark.browser
 
-SCREEN = {"width": 1366, "height": 768}
 LOOK = "document.querySelector('[data-look][aria-pressed=true]')?.dataset.look"
 
 
@@ -24,7 +23,7 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[LiveServer]:
 @pytest.fixture(scope="module")
 def anna(browser: Browser, server: LiveServer) -> Iterator[Desk]:
     desk = student(browser, server, "Anna")
-    desk.page.set_viewport_size(SCREEN)
+    desk.page.set_viewport_size({"width": 1366, "height": 768})
     again(desk)
     yield desk
     assert desk.complaints() == []

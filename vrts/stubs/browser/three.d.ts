@@ -38,6 +38,7 @@ export class Vector3 {
   y: number;
   z: number;
   set(x: number, y: number, z: number): this;
+  setZ(z: number): this;
   copy(v: Vector3): this;
   clone(): Vector3;
   add(v: Vector3): this;
@@ -137,6 +138,7 @@ export class Object3D {
   castShadow: boolean;
   receiveShadow: boolean;
   renderOrder: number;
+  frustumCulled: boolean;
   userData: Record<string, any>;
   add(...objects: Object3D[]): this;
   remove(...objects: Object3D[]): this;
@@ -172,6 +174,7 @@ export class PerspectiveCamera extends Camera {
   constructor(fov?: number, aspect?: number, near?: number, far?: number);
   aspect: number;
   fov: number;
+  near: number;
   updateProjectionMatrix(): void;
 }
 
@@ -230,6 +233,9 @@ export class EdgesGeometry extends BufferGeometry {
 }
 export class LatheGeometry extends BufferGeometry {
   constructor(points: Vector2[], segments?: number);
+}
+export class OctahedronGeometry extends BufferGeometry {
+  constructor(radius?: number);
 }
 export class PlaneGeometry extends BufferGeometry {
   constructor(width?: number, height?: number);

@@ -7,6 +7,7 @@ import { PointerFigure } from "./pointer_figure.js";
 import { PointerPanel } from "./pointer_panel.js";
 import { aligned, along, numbersOf, pointerAt, shifted, tip, turned, withBase, withNumbers, withTip } from "./pointer_pose.js";
 import { ReachAsker } from "./pointer_reach.js";
+import { DragNote } from "./pointing/note.js";
 
 /** @typedef {import("./pointer_pose.js").PointerPose} PointerPose */
 /** @typedef {import("./pointer_pose.js").Vector} Vector */
@@ -40,7 +41,7 @@ export class VirtualPointer {
     this.visible = false;
     this.wanted = true; // where its tab is open
     this.fresh = true; // never shown: begins at the gripper
-    this.figure = new PointerFigure(viewer.data, viewer.camera);
+    this.figure = new PointerFigure(viewer.data, viewer.camera, viewer.canvas);
     this.figure.visible = false;
     viewer.scene.add(this.figure);
     this.asker = new ReachAsker(ask, (answer) => this.showReach(answer));
@@ -59,11 +60,14 @@ export class VirtualPointer {
       },
       go: () => void this.go(),
     });
+    this.note = new DragNote();
     this.drag = new PointerDrag({
       canvas: viewer.canvas, camera: viewer.camera, figure: this.figure,
       now: () => ({ pose: this.pose, stage: this.stage }),
+      steps: () => ({ m: this.panel.distance, rad: this.panel.angle }),
       change: (pose) => this.change(pose),
       grab: (handle) => { viewer.controls.enabled = handle === null; },
+      tell: (text, at) => this.note.tell(text, at),
     });
     this.panel.showStage(1);
     this.panel.showVisible(false);
@@ -156,7 +160,7 @@ export class VirtualPointer {
   showReach(answer) {
     this.panel.showReach(answer);
     if (answer.state === "asking") return; // the colour of the answer before stays until the next
-    this.figure.paintReach(answer.state);
+    this.figure.showWay(answer);
     this.viewer.requestDraw();
   }
 
@@ -183,6 +187,7 @@ export class VirtualPointer {
   dispose() {
     this.asker.stop();
     this.drag.dispose();
+    this.note.remove();
     this.figure.dispose();
     this.panel.box.remove();
     this.viewer.controls.enabled = true;

@@ -1,16 +1,20 @@
-// Dragging the virtual pointer by mouse, pen or finger: what lies under it, and where it is pulled.
+// Dragging the virtual pointer by mouse, pen or finger: what lies under it, and how far it is pulled.
 
 import { Plane, Raycaster, Vector2, Vector3 } from "three";
-import { along, approach, shifted, tip, turned, withBase, withTip } from "./pointer_pose.js";
+import { figure as written } from "./dom.js";
+import { along as slid, approach, shifted, tip, turned, withBase, withTip } from "./pointer_pose.js";
+import { along, FINER, level, stepped } from "./pointing/gain.js";
 
 /** @typedef {import("./pointer_pose.js").PointerPose} PointerPose */
 /** @typedef {import("./pointer_pose.js").Vector} Vector */
-/** @typedef {"base"|"base-z"|"tip"|"tip-z"|"shaft"|"hand"|"turn"} Handle */
+/** @typedef {import("./pointing/handles.js").Handle} Handle */
+/** @typedef {import("./pointing/screen.js").Place} Place */
 
-const NEAR = { mouse: 15, pen: 20, touch: 28 }; // [px] how far from a handle it is still taken
-const SHAFT = 0.55; // share of that for the arrow between its ends
-const EDGE_ON = 0.035; // a plane seen flatter than this (sine) is not dragged on
-const FAR = 6; // [m] from the eye: where planes reach the horizon
+export const NEAR = { mouse: 14, pen: 16, touch: 23 }; // [px] how far from a handle it is still taken: less than half of what they are apart
+const SHAFT = 8; // [px] from the arrow between its ends
+const EDGE_ON = 0.25; // a ring seen flatter than this (sine) is dragged along, and not around
+const ALONG = 1 / 62; // [rad] by which it turns then, for each pixel
+const DEG = 180 / Math.PI;
 
 /** Takes the pointer events of a canvas that fall on a handle; the camera keeps all others. */
 export class PointerDrag {
@@ -20,18 +24,23 @@ export class PointerDrag {
    * @param {import("three").PerspectiveCamera} to.camera
    * @param {import("./pointer_figure.js").PointerFigure} to.figure
    * @param {() => {pose: PointerPose, stage: 1|2}} to.now
+   * @param {() => {m: number, rad: number}} to.steps in which things move
    * @param {(pose: PointerPose) => void} to.change
    * @param {(handle: Handle | null) => void} to.grab told when a drag begins and ends
+   * @param {(text: string, at: Place) => void} to.tell how far it has gone, and where on the page; empty: nothing is dragged
    */
-  constructor({ canvas, camera, figure, now, change, grab }) {
+  constructor({ canvas, camera, figure, now, steps, change, grab, tell }) {
     this.canvas = canvas;
     this.camera = camera;
     this.figure = figure;
     this.now = now;
+    this.steps = steps;
     this.change = change;
     this.grab = grab;
+    this.tell = tell;
+    this.screen = figure.screen;
     this.ray = new Raycaster();
-    /** @type {{id: number, handle: Handle, from: Vector3 | number, pose: PointerPose} | null} */
+    /** @type {{id: number, handle: Handle, from: Place, angle: number | null, pose: PointerPose, seen: Seen} | null} */
     this.drag = null;
     this.stop = new AbortController();
     const on = { capture: true, signal: this.stop.signal };
@@ -44,6 +53,7 @@ export class PointerDrag {
   /** Listen no more. */
   dispose() {
     this.stop.abort();
+    this.tell("", { x: 0, y: 0 });
   }
 
   /** @param {PointerEvent} event */
@@ -53,12 +63,11 @@ export class PointerDrag {
     const handle = this.under(event);
     if (!handle) return;
     const { pose } = this.now();
-    const from = this.pulled(handle, pose);
-    if (from === null) return;
     event.stopImmediatePropagation();
     event.preventDefault();
     this.canvas.setPointerCapture(event.pointerId);
-    this.drag = { id: event.pointerId, handle, from, pose };
+    const from = { x: event.clientX, y: event.clientY };
+    this.drag = { id: event.pointerId, handle, from, angle: handle === "turn" ? this.angle(pose) : null, pose, seen: this.seen(handle, pose) };
     this.grab(handle);
   }
 
@@ -74,9 +83,11 @@ export class PointerDrag {
     if (event.pointerId !== this.drag.id) return;
     event.stopImmediatePropagation();
     this.aim(event);
-    const { handle, from, pose } = this.drag;
-    const to = this.pulled(handle, pose);
-    if (to !== null) this.change(moved(handle, pose, from, to));
+    const { handle, pose } = this.drag;
+    const by = { x: event.clientX - this.drag.from.x, y: event.clientY - this.drag.from.y };
+    const next = handle === "turn" ? this.turn(by, event.shiftKey) : this.pull(by, event.shiftKey);
+    this.change(next);
+    this.tell(told(handle, pose, next), { x: event.clientX, y: event.clientY });
   }
 
   /** @param {PointerEvent} event */
@@ -85,6 +96,7 @@ export class PointerDrag {
     event.stopImmediatePropagation();
     this.drag = null;
     this.canvas.style.cursor = "";
+    this.tell("", { x: 0, y: 0 });
     this.grab(null);
   }
 
@@ -98,22 +110,19 @@ export class PointerDrag {
 
   /**
    * Return where a point of the world is on the page.
-   * @param {Vector3} point @returns {{x: number, y: number}} [px]
+   * @param {Vector3} point @returns {Place} [px]
    */
   onPage(point) {
     const box = this.canvas.getBoundingClientRect();
     this.camera.updateMatrixWorld();
-    const { x, y } = point.clone().project(this.camera);
-    return { x: box.left + ((x + 1) / 2) * box.width, y: box.top + ((1 - y) / 2) * box.height };
+    const { x, y } = this.screen.place(point);
+    return { x: box.left + x, y: box.top + y };
   }
 
   /** Return where the handles are now, in the world. @returns {[Handle, Vector3][]} */
   handles() {
-    const { figure } = this;
-    figure.updateMatrixWorld(true);
-    if (this.now().stage === 2) return [["turn", figure.knobAt(0)], ["turn", figure.knobAt(1)]];
-    return [["base", figure.base.position], ["tip", figure.tip.position],
-      ["base-z", figure.base.top()], ["tip-z", figure.tip.top()]];
+    this.figure.updateMatrixWorld(true);
+    return this.figure.handles.list();
   }
 
   /** @param {PointerEvent} event @returns {Handle | null} */
@@ -130,63 +139,112 @@ export class PointerDrag {
     if (best) return best;
     const { pose, stage } = this.now();
     const ends = [pose.point, tip(pose)].map((end) => this.onPage(new Vector3().fromArray(end)));
-    if (fromSegment(event.clientX, event.clientY, ends[0], ends[1]) < near * SHAFT) return "shaft";
+    if (fromSegment(event.clientX, event.clientY, ends[0], ends[1]) < SHAFT) return "shaft";
     if (this.ray.intersectObject(this.figure.ghost, true).length) return stage === 1 ? "hand" : "turn";
-    return stage === 2 && this.ray.intersectObject(this.figure.ring, true).length ? "turn" : null;
+    return stage === 2 && this.ray.intersectObject(this.figure.handles.ring, true).length ? "turn" : null;
   }
 
   /**
-   * Return what the ray points at, as the handle sees it: a point, or an angle about the arrow.
-   * @param {Handle} handle @param {PointerPose} pose when the drag began @returns {Vector3 | number | null}
+   * Return how things are seen when a drag begins: it goes by that, whatever happens on the way.
+   * @param {Handle} handle @param {PointerPose} pose @returns {Seen}
    */
-  pulled(handle, pose) {
-    const base = new Vector3().fromArray(pose.point);
-    const ahead = new Vector3().fromArray(approach(pose));
-    const end = handle.startsWith("tip") ? new Vector3().fromArray(tip(pose)) : base;
-    if (handle.endsWith("-z")) return this.onLine(end, new Vector3(0, 0, 1));
-    if (handle === "shaft") return this.onLine(base, ahead);
-    if (handle !== "turn") return this.onPlane(end, new Vector3(0, 0, 1));
-    const hit = this.onPlane(base, ahead);
+  seen(handle, pose) {
+    const { screen, camera } = this;
+    const end = new Vector3().fromArray(handle.startsWith("tip") ? tip(pose) : pose.point);
+    const line = handle === "shaft" ? new Vector3().fromArray(approach(pose)) : new Vector3(0, 0, 1);
+    const right = new Vector3().setFromMatrixColumn(camera.matrixWorld, 0).setZ(0).normalize();
+    return {
+      pixel: screen.pixel(screen.depth(end)),
+      right: /** @type {Vector} */ (right.toArray()),
+      away: [-right.y, right.x, 0],
+      line: this.headward(handle) ?? screen.direction(end, line) ?? { x: 0, y: -1 },
+    };
+  }
+
+  /** Where the handle for a height stands seen from its ball, as the upward direction. @param {Handle} handle @returns {Place | null} */
+  headward(handle) {
+    if (!handle.endsWith("-z")) return null;
+    const ends = this.figure.handles;
+    const { ball, head } = handle === "tip-z" ? ends.tip : ends.base;
+    const [a, b] = [this.screen.place(ball.position), this.screen.place(head.position)];
+    const up = approach(this.now().pose)[2] > 0.3 === (handle === "tip-z") ? 1 : -1;
+    const length = Math.hypot(b.x - a.x, b.y - a.y) || 1;
+    return { x: (up * (b.x - a.x)) / length, y: (up * (b.y - a.y)) / length };
+  }
+
+  /** @param {Place} by [px] @param {boolean} fine @returns {PointerPose} */
+  pull(by, fine) {
+    const { handle, pose, seen } = /** @type {NonNullable<typeof this.drag>} */ (this.drag);
+    const share = fine ? FINER : 1;
+    const [pixel, step] = [seen.pixel * share, this.steps().m * share];
+    if (handle === "shaft") return slid(pose, along(by, pixel, seen.line, step));
+    /** @type {Vector} */
+    const moved = handle.endsWith("-z") ? [0, 0, along(by, pixel, seen.line, step)] : level(by, pixel, seen.right, seen.away, step);
+    if (handle === "hand") return shifted(pose, moved);
+    const end = handle.startsWith("tip") ? tip(pose) : pose.point;
+    const next = /** @type {Vector} */ (end.map((value, i) => value + moved[i]));
+    return handle.startsWith("tip") ? withTip(pose, next) : withBase(pose, next);
+  }
+
+  /** @param {Place} by [px] @param {boolean} fine @returns {PointerPose} */
+  turn(by, fine) {
+    const { pose, angle } = /** @type {NonNullable<typeof this.drag>} */ (this.drag);
+    const now = this.angle(pose);
+    const share = fine ? FINER : 1;
+    const turnedBy = angle !== null && now !== null ? Math.atan2(Math.sin(now - angle), Math.cos(now - angle)) : this.around(by, pose);
+    return turned(pose, stepped(turnedBy * share, this.steps().rad * share));
+  }
+
+  /** Return the angle about the arrow at which the ray meets the ring's plane; null: it is seen from its edge. @param {PointerPose} pose */
+  angle(pose) {
+    const [base, ahead] = [new Vector3().fromArray(pose.point), new Vector3().fromArray(approach(pose))];
+    if (Math.abs(this.ray.ray.direction.dot(ahead)) < EDGE_ON) return null;
+    const hit = this.ray.ray.intersectPlane(new Plane().setFromNormalAndCoplanarPoint(ahead, base), new Vector3());
     if (!hit) return null;
-    const away = hit.sub(base);
+    const out = hit.sub(base);
     const [x, y] = [new Vector3(pose.R[0], pose.R[3], pose.R[6]), new Vector3(pose.R[1], pose.R[4], pose.R[7])];
-    return Math.atan2(away.dot(y), away.dot(x));
+    return Math.atan2(out.dot(y), out.dot(x));
   }
 
-  /** @param {Vector3} through @param {Vector3} normal */
-  onPlane(through, normal) {
-    if (Math.abs(this.ray.ray.direction.dot(normal)) < EDGE_ON) return null;
-    const hit = this.ray.ray.intersectPlane(new Plane().setFromNormalAndCoplanarPoint(normal, through), new Vector3());
-    return hit && hit.distanceTo(this.ray.ray.origin) < FAR ? hit : null;
-  }
-
-  /** Return the point of a line that is nearest to the ray. @param {Vector3} through @param {Vector3} along */
-  onLine(through, along) {
-    const { origin, direction } = this.ray.ray;
-    const slant = direction.dot(along);
-    const parallel = 1 - slant * slant;
-    if (parallel < EDGE_ON * EDGE_ON) return null;
-    const between = origin.clone().sub(through);
-    const share = (between.dot(along) - between.dot(direction) * slant) / parallel;
-    return Math.abs(share) < FAR ? through.clone().addScaledVector(along, share) : null;
+  /** Return how far a ring seen from its edge is turned, as if its near side were pulled. @param {Place} by [px] @param {PointerPose} pose */
+  around(by, pose) {
+    const [base, ahead] = [new Vector3().fromArray(pose.point), new Vector3().fromArray(approach(pose))];
+    const side = ahead.clone().cross(this.camera.position.clone().sub(base)).normalize();
+    const seen = this.screen.direction(base, side) ?? { x: 1, y: 0 };
+    return (by.x * seen.x + by.y * seen.y) * ALONG;
   }
 }
 
 /**
- * @param {Handle} handle @param {PointerPose} pose when the drag began
- * @param {Vector3 | number} from @param {Vector3 | number} to @returns {PointerPose}
+ * @typedef {object} Seen
+ * @property {number} pixel what one is where the handle is [m]
+ * @property {Vector} right level, of length 1
+ * @property {Vector} away level, of length 1
+ * @property {Place} line direction of the line along which the handle slides
  */
-function moved(handle, pose, from, to) {
-  if (typeof from === "number" || typeof to === "number") return turned(pose, Number(to) - Number(from));
-  const by = /** @type {Vector} */ (to.clone().sub(from).toArray());
-  if (handle === "hand") return shifted(pose, by);
-  if (handle === "shaft") return along(pose, new Vector3(...by).dot(new Vector3(...approach(pose))));
-  const end = handle.startsWith("tip") ? tip(pose) : pose.point;
-  const next = /** @type {Vector} */ (end.map((value, i) => value + by[i]));
-  return handle.startsWith("tip") ? withTip(pose, next) : withBase(pose, next);
+
+/**
+ * Return how far a drag has gone, in words.
+ * @param {Handle} handle @param {PointerPose} from @param {PointerPose} to
+ */
+function told(handle, from, to) {
+  if (handle === "turn") {
+    const [a, b] = [from.R, to.R];
+    const [sine, cosine] = [b[0] * a[1] + b[3] * a[4] + b[6] * a[7], b[0] * a[0] + b[3] * a[3] + b[6] * a[6]];
+    return `turned ${signed(Math.atan2(sine, cosine) * DEG)}°`;
+  }
+  const [a, b] = handle.startsWith("tip") ? [tip(from), tip(to)] : [from.point, to.point];
+  const by = b.map((value, i) => (value - a[i]) * 1000);
+  const parts = ["X", "Y", "Z"].map((name, i) => (Math.abs(by[i]) < 0.05 ? "" : `${name} ${signed(by[i])}`)).filter(Boolean);
+  return `${written(Math.hypot(...by), 1)} mm${parts.length ? `: ${parts.join(", ")}` : ""}`;
 }
 
-/** @param {number} x @param {number} y @param {{x: number, y: number}} a @param {{x: number, y: number}} b */
+/** @param {number} value */
+function signed(value) {
+  return `${value > 0.05 ? "+" : ""}${written(value, 1)}`;
+}
+
+/** @param {number} x @param {number} y @param {Place} a @param {Place} b */
 function fromSegment(x, y, a, b) {
   const [dx, dy] = [b.x - a.x, b.y - a.y];
   const share = Math.min(Math.max(((x - a.x) * dx + (y - a.y) * dy) / (dx * dx + dy * dy || 1), 0), 1);

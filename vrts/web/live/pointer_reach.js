@@ -1,16 +1,9 @@
 // Asks whether the tool can go somewhere: at most twenty times a second, one question at a time.
 
-/**
- * @typedef {object} Reached what the session answers (`Reached`)
- * @property {boolean} reachable
- * @property {string} why in words, when it cannot
- * @property {string} code
- * @property {string[]} branch such as lefty, above, noflip
- * @property {number[]} joints_rad at the goal
- */
-
+/** @typedef {import("./protocol.js").Reached} Reached what the session answers */
+/** @typedef {"asking"|"yes"|"way"|"touches"|"no"|"unknown"} ReachState yes: the way is free; way: something touches before its end */
 /** @typedef {{position_m: number[], oat_rad: number[], straight: boolean}} Question */
-/** @typedef {{state: "asking"|"yes"|"no"|"unknown", text: string, reached: Reached | null}} Answer */
+/** @typedef {{state: ReachState, text: string, reached: Reached | null}} Answer */
 
 export const BETWEEN_MS = 50; // questions
 
@@ -65,7 +58,7 @@ export class ReachAsker {
     this.asked = performance.now();
     this.under_way = true;
     this.ask(question).then(
-      (reached) => this.answered({ state: reached.reachable ? "yes" : "no", text: words(reached), reached }),
+      (reached) => this.answered({ state: stateOf(reached), text: words(reached), reached }),
       (problem) => this.answered({ state: "unknown", text: `not known: ${problem.message}`, reached: null }),
     );
   }
@@ -78,9 +71,26 @@ export class ReachAsker {
   }
 }
 
+/** @param {Reached} reached @returns {ReachState} */
+export function stateOf({ reachable, way, touches }) {
+  if (!reachable) return "no";
+  if (touches?.some((touch) => touch.at_goal)) return "touches";
+  if (touches?.length) return "way";
+  return way === "unknown" ? "unknown" : "yes";
+}
+
 /** @param {Reached} reached */
 export function words(reached) {
   if (!reached.reachable) return `out of reach: ${reached.why || "no arm branch leads there"}`;
   const branch = reached.branch.map((word) => BRANCHES[/** @type {keyof typeof BRANCHES} */ (word.toLowerCase())] ?? word);
-  return branch.length ? `in reach: ${branch.join(", ")}` : "in reach";
+  const place = branch.length ? `in reach: ${branch.join(", ")}` : "in reach";
+  const touches = reached.touches ?? [];
+  if (!touches.length) {
+    if (reached.way === "free") return `${place}; nothing touches on the way`;
+    return reached.way === "unknown" ? `${place}; ${reached.why || "the way is not decided"}` : place;
+  }
+  const first = touches.find((touch) => touch.at_goal) ?? touches[0];
+  const where = first.at_goal ? "touches there" : `touches on the way, ${Math.round(100 * first.start)} % along`;
+  const more = touches.length > 1 ? ` (and ${touches.length - 1} more)` : "";
+  return `${where}: ${first.text}${more}`;
 }

@@ -8,7 +8,7 @@ const LONGEST = 2_000; // characters: what is longer was not written here
 export const LIMITS = {
   desk: { least: 320, most: 1_600, first: 400 }, // width of the panels [px]
   deskHigh: { least: 120, most: 1_200, first: 0 }, // height of the panels below the picture; 0: by the window [px]
-  terminal: { least: 64, most: 900, first: 104 }, // height of the monitor [px]
+  terminal: { least: 64, most: 900, first: 96 }, // height of the monitor [px]
 };
 export const LOOKS = ["overview", "table", "front", "side", "top", "hand"];
 
