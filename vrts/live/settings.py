@@ -33,6 +33,7 @@ class Settings:
     students_reset: bool = False  # operators may reset and rewind
     idle_s: float = 120.0  # of new rooms
     turn_s: float = 0.0
+    private_rooms: int = 8  # at once, one a person
     history_quota: int = HISTORY_QUOTA
     log_quota: int = LOG_QUOTA
     log_key: Path | None = None  # file with the key of the logs; None: the usual one

@@ -11,7 +11,7 @@ from vrts.live.door import Door, door_of, text_frame
 from vrts.live.front.guard import refused
 from vrts.live.protocol.coding import decode, encode
 from vrts.live.protocol.fields import VERSION
-from vrts.live.protocol.from_anybody import AskProgram, AskReach, Command, Join
+from vrts.live.protocol.from_anybody import AskProgram, AskReach, Command, GoOnFrom, Join
 from vrts.live.protocol.from_clients import FromClient
 from vrts.live.protocol.from_server import Closed, Refused
 from vrts.live.protocol.from_supervisors import ExportLog
@@ -124,7 +124,7 @@ def _number(message: FromClient) -> int:
     match message:
         case Command():
             return message.number
-        case AskReach() | AskProgram() | ExportLog():
+        case AskReach() | AskProgram() | GoOnFrom() | ExportLog():
             return message.of
         case _:
             return 0

@@ -44,9 +44,15 @@ class LoggedSession(NamedTuple):
     jumped: int = 0  # record after which session time was another one; 0: none
     least_s: float = 0.0  # how far it has to go on at least: a command there was taken back
     over: bool = False  # another scene was asked for
+    branched: int = 0  # number that it has while it is only copied; 0: it goes on from no other
     purged: int = 0  # the first record of which a part was purged; 0: none
     controller: str = FIRST.name  # model that it went by; before logs said so, the first
     controller_sha256: str = ""  # of what that model said; empty: the log does not say
+
+    @property
+    def exact(self) -> bool:
+        """Whether it is to stand where another session stood: nothing was done in it yet."""
+        return self.branched == self.number
 
     def require_whole(self) -> "LoggedSession":
         """Return it if it can be done again.
@@ -65,6 +71,7 @@ class _Begin(msgspec.Struct, frozen=True):
     scene_sha256: str = ""
     controller: str = FIRST.name
     controller_sha256: str = ""
+    branch_of: str = ""  # room
 
 
 class _CarryOn(msgspec.Struct, frozen=True):
@@ -94,6 +101,7 @@ def sessions_of(rows: Iterable[LogRow]) -> tuple[LoggedSession, ...]:
             begun = msgspec.json.decode(row.text or b"", type=_Begin)
             session = LoggedSession(row.session, begun.scene, begun.scene_sha256, ())
             model = (begun.controller, begun.controller_sha256)
+            session = session._replace(branched=row.session if begun.branch_of else 0)
             found.append(session._replace(controller=model[0], controller_sha256=model[1]))
         elif found and row.kind == "scene":
             found[-1] = found[-1]._replace(over=True)

@@ -77,3 +77,10 @@ class AskProgram(Strict, frozen=True, tag="program"):
 
     of: Of
     name: Annotated[str, Meta(max_length=64)]
+
+
+class GoOnFrom(Strict, frozen=True, tag="go_on_from"):
+    """Ask for a private room that goes on from a moment of this one; answered by `Branched`."""
+
+    of: Of
+    at_s: Annotated[float, Meta(ge=0.0, le=1e7)]  # session time

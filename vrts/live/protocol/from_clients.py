@@ -4,6 +4,7 @@ from vrts.live.protocol.from_anybody import (
     AskProgram,
     AskReach,
     Command,
+    GoOnFrom,
     HandBack,
     Join,
     Panic,
@@ -43,6 +44,7 @@ FromClient = (
     | Say
     | AskReach
     | AskProgram
+    | GoOnFrom
     | HandOver
     | Lock
     | Freeze

@@ -138,6 +138,13 @@ class Program(Message, frozen=True, tag="program_text"):
     result: msgspec.Raw
 
 
+class Branched(Message, frozen=True, tag="branched"):
+    """A private room was made for who asked."""
+
+    of: int
+    room: str
+
+
 class Wall(Message, frozen=True, tag="wall"):
     """All rooms, to supervisors who watch."""
 
@@ -180,6 +187,7 @@ FromServer = (
     | Refused
     | Reach
     | Program
+    | Branched
     | Wall
     | Rooms
     | LogFile

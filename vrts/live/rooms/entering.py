@@ -12,7 +12,7 @@ from vrts.live.protocol.from_anybody import Join
 from vrts.live.protocol.from_server import Closed, Rooms, Snapshot, Welcome
 from vrts.live.protocol.listed import SceneEntry
 from vrts.live.refusal import NotObeyed
-from vrts.live.rooms.hub import Hub
+from vrts.live.rooms.hub import Hub, may_enter
 from vrts.live.rooms.keeping import control_changed
 from vrts.live.rooms.member import Member
 from vrts.live.rooms.room import Room
@@ -43,7 +43,9 @@ def enter(hub: Hub, account: Account, join: Join, door: Door) -> Member:
         join.rate,
     )
     door.send(text_frame(encode(welcome)))
-    if hub.settings.alone and room.control.request(member.id, time.time()):
+    if (hub.settings.alone or room.is_own(account)) and room.control.request(
+        member.id, time.time()
+    ):
         control_changed(hub, room)
     room.tell_people_soon()
     room.joining.append(member)
@@ -129,15 +131,20 @@ def _scenes(hub: Hub) -> tuple[SceneEntry, ...]:
 
 def _room_for(hub: Hub, account: Account, wanted: str) -> Room:
     only = None if account.supervisor else account.room
-    if only is not None and wanted not in ("", only):
+    asked = hub.rooms.get(wanted)
+    own = asked is not None and asked.is_own(account)
+    if only is not None and wanted not in ("", only) and not own:
         raise NotObeyed("room", "this link is for another room")
-    free = (room.id for room in hub.rooms.values() if account.id not in room.barred)
+    shared = (room for room in hub.rooms.values() if room.branch is None)
+    free = (room.id for room in shared if account.id not in room.barred)
     id_ = wanted or only or next(free, next(iter(hub.rooms), ""))
     room = hub.rooms.get(id_)
     if room is None:
         raise NotObeyed("room", "there is no such room any more")
     if account.id in room.barred:
         raise NotObeyed("kicked", "the supervisor has sent you away from this room")
+    if room.branch is not None and not may_enter(account, room):
+        raise NotObeyed("room", "there is no such room any more")
     return room
 
 

@@ -33,6 +33,7 @@ class Hub:
         self.failures = FailedLogIns()
         self.passwords = Passwords()
         self.projector = ""
+        self.branching: set[int] = set()  # accounts whose private rooms are being made
         self.stopping = False
         self._tasks: set[asyncio.Task[Any]] = set()
 
@@ -49,12 +50,7 @@ class Hub:
 
     def entries(self, account: Account) -> tuple[RoomEntry, ...]:
         """Return the rooms that somebody may enter."""
-        only = None if account.supervisor else account.room
-        return tuple(
-            room.entry
-            for room in self.rooms.values()
-            if only in (None, room.id) and account.id not in room.barred
-        )
+        return tuple(room.entry for room in self.rooms.values() if may_enter(account, room))
 
     def rooms_changed(self) -> None:
         """Tell everybody which rooms there are."""
@@ -79,3 +75,12 @@ class Hub:
             if unfinished:
                 await asyncio.wait(unfinished)
         self.database.close()
+
+
+def may_enter(account: Account, room: Room) -> bool:
+    """Return whether somebody may enter a room."""
+    if account.id in room.barred:
+        return False
+    if account.supervisor or room.is_own(account):
+        return True
+    return room.branch is None and account.room in (None, room.id)

@@ -13,6 +13,7 @@ from vrts.live.protocol.from_anybody import (
     AskProgram,
     AskReach,
     Command,
+    GoOnFrom,
     HandBack,
     Join,
     Panic,
@@ -22,11 +23,13 @@ from vrts.live.protocol.from_anybody import (
     SetRate,
 )
 from vrts.live.protocol.from_clients import FromClient
+from vrts.live.protocol.from_server import Branched
 from vrts.live.refusal import NotObeyed
 from vrts.live.rooms.audience import EVERYBODY, Audience
 from vrts.live.rooms.hub import Hub
 from vrts.live.rooms.keeping import LOG_FULL, LOG_HELP, control_changed, say
 from vrts.live.rooms.member import Member
+from vrts.live.rooms.private.branching import branch
 from vrts.live.rooms.process import SessionProcess
 from vrts.live.rooms.room import Room
 from vrts.live.rooms.sessions import Sessions
@@ -78,6 +81,11 @@ async def obey(hub: Hub, sessions: Sessions, member: Member, message: FromClient
             _ask_reach(room, member, message, now)
         case AskProgram():
             _ask_program(room, member, message, now)
+        case GoOnFrom():
+            if not member.programs.take(now):
+                raise NotObeyed("rate", "too many rooms at once", "wait a few seconds")
+            made = await branch(hub, sessions, member, message.at_s)
+            member.tell(Branched(message.of, made.id))
         case _:
             if not member.supervisor:
                 raise NotObeyed("role", "only a supervisor may do this")
@@ -100,6 +108,7 @@ def _command(hub: Hub, room: Room, member: Member, message: Command, now: float)
     if room.control.locked:
         raise NotObeyed("locked", "the supervisor has locked the control right")
     may_reset = member.supervisor or hub.settings.alone or hub.settings.students_reset
+    may_reset = may_reset or room.is_own(member.account)
     if isinstance(action, Reset | Rewind) and not may_reset:
         raise NotObeyed("role", "only a supervisor may reset or rewind")
     if isinstance(action, Upload | Save) and not member.programs.take(now):

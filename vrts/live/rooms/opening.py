@@ -10,6 +10,7 @@ from vrts.live.rooms.entering import send_away
 from vrts.live.rooms.hub import Hub
 from vrts.live.rooms.room import Room
 from vrts.live.store.bars import all_muted, bars_of
+from vrts.live.store.branches import branch_of
 from vrts.live.store.rooms import KeptRoom, Line, close_room, keep_room, lines, open_rooms
 from vrts.live.tokens import new_id
 
@@ -20,21 +21,22 @@ async def open_kept(hub: Hub) -> None:
     """Open the rooms that were open when the server ended."""
     hub.muted = await hub.database.do(all_muted)
     for kept in await hub.database.do(open_rooms):
-        await _open(hub, kept)
+        await open_room(hub, kept)
 
 
 async def make_room(hub: Hub, name: str, scene: str) -> Room:
     """Make a room."""
-    if len(hub.rooms) >= MOST_ROOMS:
+    if sum(room.branch is None for room in hub.rooms.values()) >= MOST_ROOMS:
         raise NotObeyed("limit", f"there are {MOST_ROOMS} rooms already", "close some")
     settings = hub.settings
     place = max((room.kept.place for room in hub.rooms.values()), default=0) + 1
     kept = KeptRoom(new_id(), name, scene, place, True, settings.turn_s, settings.idle_s)
     await hub.database.do(lambda connection: keep_room(connection, kept))
-    return await _open(hub, kept)
+    return await open_room(hub, kept)
 
 
-async def _open(hub: Hub, kept: KeptRoom) -> Room:
+async def open_room(hub: Hub, kept: KeptRoom) -> Room:
+    """Open a room that is kept."""
     room = Room(kept, control=ControlRight(kept.turn_s, kept.idle_s))
     for line in await hub.database.do(lambda connection: lines(connection, kept.id)):
         room.number = line.number
@@ -43,8 +45,10 @@ async def _open(hub: Hub, kept: KeptRoom) -> Room:
         said = Chat(line.number, line.at, "", line.name, line.text, line.private, to, role)
         room.chat.append((said, _readers(line) if line.private else EVERYBODY))
     room.barred = await hub.database.do(lambda connection: bars_of(connection, kept.id))
+    room.branch = await hub.database.do(lambda connection: branch_of(connection, kept.id))
     hub.rooms[kept.id] = room
-    hub.projector = hub.projector or kept.id
+    if room.branch is None:
+        hub.projector = hub.projector or kept.id
     return room
 
 
@@ -53,7 +57,7 @@ async def close(hub: Hub, room: Room) -> None:
     await hub.database.do(lambda connection: close_room(connection, room.id))
     hub.rooms.pop(room.id, None)
     if hub.projector == room.id:
-        hub.projector = next(iter(hub.rooms), "")
+        hub.projector = next((r.id for r in hub.rooms.values() if r.branch is None), "")
     for member in list(room.members.values()):
         send_away(hub, member, "room closed", "the room was closed")
     if room.process is not None:

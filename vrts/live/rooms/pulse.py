@@ -7,6 +7,7 @@ from typing import Final
 from vrts.live.rooms.entering import remove, send_away
 from vrts.live.rooms.hub import Hub
 from vrts.live.rooms.keeping import control_changed
+from vrts.live.rooms.private.branching import end_empty
 from vrts.live.rooms.room import Room
 from vrts.live.rooms.wall import show_wall
 from vrts.live.store.accounts import existing
@@ -29,6 +30,7 @@ async def pulse(hub: Hub) -> None:
             show_wall(hub)
             _keep_reached(hub)
             await _send_purged_away(hub)
+            await end_empty(hub)
 
 
 def _pulse_room(hub: Hub, room: Room, now: float) -> None:

@@ -20,7 +20,9 @@ from vrts.live.rooms.control import ControlRight
 from vrts.live.rooms.member import FULL_RATE, Member
 from vrts.live.rooms.process import SessionProcess
 from vrts.live.session.views.frame import unpacked
+from vrts.live.store.accounts import Account
 from vrts.live.store.bars import Bars
+from vrts.live.store.branches import Branch
 from vrts.live.store.progress import Reached
 from vrts.live.store.rooms import HISTORY, KeptRoom
 
@@ -74,6 +76,8 @@ class Room:
     unheard: str = ""  # the last command that the session has not answered when it died
     halting: bool = False  # a panic is on its way
     frame: bytes = b""  # the last pose frame; empty: session time is another one since
+    branch: Branch | None = None  # what makes it a private one
+    empty_since: float | None = None  # since when nobody is in a private one [s]
     blocks: Blocks = field(default_factory=Blocks)  # of the session's past
     crowd_changed: float = 0.0  # since when people are to be told who is here; 0: they know
     _told: deque[Told] = field(default_factory=deque[Told])
@@ -89,6 +93,10 @@ class Room:
         """The room as a list of rooms shows it."""
         kept = self.kept
         return RoomEntry(kept.id, kept.name, kept.scene, self.task, self.crowd, self.offered)
+
+    def is_own(self, account: Account) -> bool:
+        """Return whether it is somebody's private room."""
+        return self.branch is not None and self.branch.owner == account.id
 
     @property
     def crowd(self) -> int:

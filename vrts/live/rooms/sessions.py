@@ -331,6 +331,7 @@ def _with_before(start: Start, file: Path, before: Unfinished) -> Start:
         start,
         before=str(file),
         until_s=before.until_s,
+        exact=before.session.exact,
         scene_sha256=before.session.scene_sha256,
         controller=before.session.controller,
         controller_sha256=before.session.controller_sha256,

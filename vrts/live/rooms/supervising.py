@@ -94,7 +94,8 @@ async def supervise(
             await _make_rooms(hub, sessions, message)
         case CloseRoom():
             closed = _room(hub, message.room)
-            if len(hub.rooms) == 1:
+            shared = [room for room in hub.rooms.values() if room.branch is None]
+            if shared == [closed]:
                 help_ = "begin again in it, or make another one first"
                 raise NotObeyed("room", "the last room stays open", help_)
             record(hub, closed, "close", member.account, {})

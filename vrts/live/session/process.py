@@ -149,7 +149,7 @@ def _begun(
                 raise CannotCarryOn("its scene or task is another one now")
             if start.controller_sha256 not in ("", digest(setting.scene.controller)):
                 raise CannotCarryOn("its controller model is another one now")
-            carry_on(session, voice, entries, start.until_s, wanted=wanted)
+            carry_on(session, voice, entries, start.until_s, exact=start.exact, wanted=wanted)
         except CannotCarryOn as problem:
             anew = str(problem)
             empty(Path(start.folder))

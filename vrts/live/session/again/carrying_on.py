@@ -18,6 +18,7 @@ from vrts.live.session.live_session import Session
 LONGEST = 300.0  # [s] of processor time; an hour of a class takes a few
 EFFECT = 0.1  # [s] of session time after the last command: it takes effect at the next tick
 STRETCH = 10.0  # [s] of session time between looks whether to go on
+STOPPED_HERE = "the room goes on from here: arm and programs were stopped"
 STOPPED = "the session was started again: arm and programs were stopped, and it goes on"
 
 _entry = msgspec.json.Decoder(Entry)
@@ -67,6 +68,7 @@ def carry_on(
     entries: Iterable[Entry],
     until_s: float,
     *,
+    exact: bool = False,
     wanted: Callable[[], bool] = lambda: True,
 ) -> None:
     """Do again what was done before, go on to a time, and stop everything there.
@@ -77,6 +79,7 @@ def carry_on(
         entries: What was done, with what was answered.
         until_s: How far it had come [s]; commands may have come later. What was
             acknowledged takes effect before it is stopped.
+        exact: Whether it is to stop just there, as where another session stood.
         wanted: Asked now and then whether anybody still waits for it.
 
     Raises:
@@ -108,7 +111,7 @@ def carry_on(
             session.repeat(entry.order, entry.at_s)
             if not same_answer(entry.done, voice.done):
                 raise CannotCarryOn("what was done has other results now")
-        go_on(max(until_s, session.growing.time_s + EFFECT))
+        go_on(max(until_s, session.growing.time_s + (0.0 if exact else EFFECT)))
     except ValueError as problem:  # an order before the one that came earlier
         raise CannotCarryOn(f"its log does not fit: {problem}") from problem
-    session.stand_still(STOPPED)
+    session.stand_still(STOPPED_HERE if exact else STOPPED)

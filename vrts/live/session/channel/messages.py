@@ -52,6 +52,7 @@ class Start(Order, frozen=True, tag="start"):
     history: int = HISTORY_QUOTA  # bytes of the file of what is older than ten minutes
     before: str = ""  # file of what was done before the server ended; the session removes it
     until_s: Stamp = 0.0  # how far the session had come then
+    exact: bool = False  # it stops just there, where another session stood
     scene_sha256: str = ""  # of `Ready.scene` then; with another scene it begins anew
     controller: str = ""  # model that it went by then; empty: the setting's own
     controller_sha256: str = ""  # of what that model said; empty: not asked for

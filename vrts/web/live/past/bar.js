@@ -51,7 +51,7 @@ export class Bar {
       ...SPANS.map(([value, text]) => make("option", { value, text, selected: value === "600" })));
     this.speeds = make("select", { id: "past-speed", "aria-label": "Speed of the replay", title: "Speed of the replay" },
       ...SPEEDS.map(([value, text]) => make("option", { value, text, selected: value === "1" })));
-    this.branch = make("button", { type: "button", hidden: true, id: "past-branch", text: "Go on from here", title: "Go on from this moment in a room of your own", click: wishes.branch });
+    this.branch = make("button", { type: "button", id: "past-branch", text: "Go on from here", title: "Go on from this moment in a room of your own", click: wishes.branch });
     this.live = make("button", { type: "button", id: "past-live", class: "past-live", text: "Live", title: "Back to what is now (Alt+L)", "aria-label": "Back to live", click: wishes.live });
     place.classList.add("past");
     place.setAttribute("role", "group");

@@ -2,18 +2,12 @@
 
 /**
  * Ask for such a room and enter it.
- * @param {string} room @param {number} at_s session time [s] @param {import("../toasts.js").Toasts} toasts
+ * @param {import("../connection.js").Connection} connection @param {number} at_s session time [s]
  */
-export async function goOnFrom(room, at_s, toasts) {
-  const answer = await fetch("/branch", {
-    method: "POST", headers: { "content-type": "application/json" }, body: JSON.stringify({ room, at_s }),
-  });
-  const said = await answer.json();
-  if (!answer.ok) {
-    toasts.warn(said.help ? `${said.text}; ${said.help}` : said.text);
-    return;
-  }
+export async function goOnFrom(connection, at_s) {
+  const { room } = await connection.ask("go_on_from", { at_s });
   const url = new URL(location.href);
-  url.searchParams.set("room", said.room);
-  location.assign(url);
+  url.searchParams.set("room", room);
+  history.replaceState(null, "", url);
+  connection.enter(room);
 }

@@ -15,12 +15,12 @@ const PAUSE = 250; // between drawings of the marks [ms]
 const LOOK_BACK = 5; // where play begins when one looks at what is now [s]
 
 /** @param {import("../pages/room.js").App} app */
-export function mountPast({ store, world, toasts }) {
+export function mountPast({ store, world, toasts, connection }) {
   const blocks = new Blocks(
     () => (store.now.alive ? store.now.sceneUrl.replace(/^\/scene\//, "/past/") : ""), () => world.viewer?.data.robot.arm, () => (drawn = -Infinity));
   const marks = new Marks(store, blocks);
   const bar = new Bar(byId("timeline-place"), {
-    seek, live: backToLive, jump, play: toggle, redraw: () => (drawn = -Infinity), branch: () => void goOnFrom(store.now.room?.id ?? "", lookedAt() ?? 0, toasts),
+    seek, live: backToLive, jump, play: toggle, redraw: () => (drawn = -Infinity), branch,
   });
   const sign = make("div", { class: "past-sign", id: "past-sign", hidden: true });
   const words = make("span", { "aria-hidden": "true" }); // it changes all the time: the slider says it when it is asked
@@ -44,6 +44,18 @@ export function mountPast({ store, world, toasts }) {
     playing = !playing;
     before = performance.now();
     if (playing && lookedAt() === null) seek(world.now - LOOK_BACK);
+  }
+
+  async function branch() {
+    const at = lookedAt();
+    if (at === null) return;
+    try {
+      await goOnFrom(connection, at);
+      backToLive();
+      toasts.tell("this room is yours alone: it goes on from the moment that you looked at");
+    } catch (error) {
+      toasts.warn(/** @type {Error} */ (error).message);
+    }
   }
 
   /** @param {1 | -1} direction */

@@ -28,13 +28,20 @@ def told(driven: Driven) -> list[Entry]:
     return [entry._replace(done=d) for entry, d in zip(driven.log, answers, strict=True)]
 
 
-def carried(driven: Driven, folder: Path, entries: Sequence[Entry], until_s: float) -> Session:
+def carried(
+    driven: Driven,
+    folder: Path,
+    entries: Sequence[Entry],
+    until_s: float,
+    *,
+    exact: bool = False,
+) -> Session:
     """Carry the session on in another folder; time goes on from 5000 s of another clock."""
     voice = Voice()
     start = msgspec.structs.replace(driven.start, folder=str(folder))
     folder.mkdir()
     session = Session(start, driven.session.setting, voice, lambda: 5000.0)
-    carry_on(session, voice, entries, until_s)
+    carry_on(session, voice, entries, until_s, exact=exact)
     return session
 
 
