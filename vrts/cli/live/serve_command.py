@@ -59,6 +59,13 @@ Examples:
     show_default=True,
     help="Space for the log of a session.",
 )
+@click.option(
+    "--private-rooms",
+    type=click.IntRange(0, 64),
+    default=8,
+    show_default=True,
+    help="Most rooms that people have for themselves.",
+)
 @click.option("--students-reset", is_flag=True, help="Operators may reset and rewind.")
 @click.option("--add-user", metavar="NAME", help="Add an account, ask for its password, and end.")
 @click.option("--supervisor", is_flag=True, help="The added account may supervise.")
@@ -86,6 +93,7 @@ def command(
     idle: int,
     history_quota: int,
     log_quota: int,
+    private_rooms: int,
     students_reset: bool,
     add_user: str | None,
     supervisor: bool,
@@ -115,6 +123,10 @@ def command(
     goes to a file. When the file reaches `--history-quota`, the oldest part is forgotten. The log
     is never cut. When it reaches `--log-quota`, every command except panic is refused, until the
     supervisor begins another session by choosing the scene again. The room is told of both.
+
+    Everybody can look at any moment of a session's past, and go on from there in a room of their
+    own, of which each has one. It ends when nobody has been in it for five minutes, and its log
+    stays. `--private-rooms` says how many there may be; supervisors see and close them.
 
     It listens on this machine only, unless `--host` names another address. For https give
     `--tls-cert` and `--tls-key`, or put a proxy in front of it that passes `Host` and WebSockets
@@ -154,6 +166,7 @@ def command(
         history_quota=history_quota * 1_000_000,
         log_quota=log_quota * 1_000_000,
         log_key=log_key,
+        private_rooms=private_rooms,
     )
     listening = Listening(host, port, tls_cert, tls_key, behind_proxy)
     try:

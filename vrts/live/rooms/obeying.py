@@ -29,7 +29,7 @@ from vrts.live.rooms.audience import EVERYBODY, Audience
 from vrts.live.rooms.hub import Hub
 from vrts.live.rooms.keeping import LOG_FULL, LOG_HELP, control_changed, say
 from vrts.live.rooms.member import Member
-from vrts.live.rooms.private.branching import branch
+from vrts.live.rooms.private.branching import branch, end_earlier
 from vrts.live.rooms.process import SessionProcess
 from vrts.live.rooms.room import Room
 from vrts.live.rooms.sessions import Sessions
@@ -86,6 +86,7 @@ async def obey(hub: Hub, sessions: Sessions, member: Member, message: FromClient
                 raise NotObeyed("rate", "too many rooms at once", "wait a few seconds")
             made = await branch(hub, sessions, member, message.at_s)
             member.tell(Branched(message.of, made.id))
+            await end_earlier(hub, member.account, made)
         case _:
             if not member.supervisor:
                 raise NotObeyed("role", "only a supervisor may do this")

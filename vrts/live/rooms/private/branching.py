@@ -13,6 +13,7 @@ from vrts.live.rooms.member import Member
 from vrts.live.rooms.opening import close, open_room
 from vrts.live.rooms.room import Room
 from vrts.live.rooms.sessions import Sessions
+from vrts.live.store.accounts import Account
 from vrts.live.store.branches import Branch, branch_of
 from vrts.live.store.rooms import KeptRoom, next_number
 from vrts.live.tokens import new_id
@@ -25,7 +26,7 @@ SLACK_S: Final = 1.0  # by which a moment may lie after the last frame that was 
 async def branch(hub: Hub, sessions: Sessions, member: Member, at_s: float) -> Room:
     """Begin a room for somebody that goes on from a moment of the room they are in.
 
-    The one that they had ends.
+    It takes the place of the one that they had, which `end_earlier` ends.
 
     Raises:
         NotObeyed: There are too many, or what was done until then cannot be done again.
@@ -52,9 +53,6 @@ async def branch(hub: Hub, sessions: Sessions, member: Member, at_s: float) -> R
     try:
         number = await hub.database.do(lambda connection: next_number(connection, "session"))
         await hub.database.do(lambda c: begin_branch(c, kept, made, number % 65_535 + 1))
-        for before in own:
-            if before is not origin:
-                await close(hub, before)
         room = await open_room(hub, kept)
     except LogFault as problem:
         raise NotObeyed("past", str(problem)) from problem
@@ -65,6 +63,13 @@ async def branch(hub: Hub, sessions: Sessions, member: Member, at_s: float) -> R
     words = f"this room goes on from {_clock(at_s)} of {origin.kept.name}, for {account.name} alone"
     await say(hub, room, None, f"{words}; arm and programs were stopped there", EVERYBODY, None)
     return room
+
+
+async def end_earlier(hub: Hub, account: Account, kept: Room) -> None:
+    """End the private rooms that somebody has besides one."""
+    for room in list(hub.rooms.values()):
+        if room is not kept and room.is_own(account):
+            await close(hub, room)
 
 
 async def end_empty(hub: Hub, now: float | None = None) -> None:
