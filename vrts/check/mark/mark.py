@@ -68,6 +68,8 @@ def grade(task: Task, run: Run, judgement: Judgement, said: Sequence[Diagnostic]
     lowest = _lowest(task, achieved, judgement, sum(points.certain))
     found = obstacles(run, judgement, Asked(results, points), said)
     against = tuple(one.sentence for one in found)
+    if not mark and not against:
+        against = ("not one point was earned",)
     if lowest is not None and lowest < mark:
         against += (f"{REVIEW}: the mark is between {float(lowest)} and {float(mark)}",)
     return Grade(

@@ -1,6 +1,7 @@
 """A run that is there already, as a page with a replay."""
 
 import webbrowser
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -10,6 +11,7 @@ if TYPE_CHECKING:
     from vrts.base.source import SourceFile
     from vrts.engine.run import Run
     from vrts.report.assessment import Assessment
+    from vrts.report.page.voices import Voice
 
 AGAIN = "`--no-open` writes it for another machine"
 
@@ -45,12 +47,14 @@ def assessed(
     return with_curve(found)
 
 
-def write_page(found: "Assessment", path: Path) -> None:
-    """Write the page."""
+def write_page(
+    found: "Assessment", path: Path, voices: "Sequence[Voice]" = (), *, more: int = 0
+) -> None:
+    """Write the page, with what people said meanwhile and how many checks are still to come."""
     from vrts.report.page.page import page
     from vrts.report.page.stills import page_stills
 
-    write_file(path, page(found, page_stills(found)).encode())
+    write_file(path, page(found, page_stills(found), more=more, voices=voices).encode())
 
 
 def open_page(path: Path, time_s: float | None = None) -> None:

@@ -14,6 +14,7 @@ from vrts.live.front.guard import refused
 from vrts.live.front.qr_code import qr_svg
 from vrts.live.front.static_files import PAGE, Content, StaticFiles, content
 from vrts.live.logs.replay_page import NoPage, Order, replay_page
+from vrts.live.logs.voices import Said
 from vrts.live.people.naming import person_name
 from vrts.live.protocol.over_http import Enter, Link, LogIn, MakeLink, Me
 from vrts.live.rooms.entering import log_out
@@ -23,6 +24,7 @@ from vrts.live.store.accounts import LINK_S, LINK_USES, LOGIN_S, Account
 from vrts.live.store.bars import Inherited, inherit, use_browser
 from vrts.live.store.database import Connection
 from vrts.live.store.log import export
+from vrts.live.store.rooms import said_to_all
 from vrts.live.tokens import digest, new_token
 
 LONGEST_BODY: Final = 8 * 1024  # bytes
@@ -179,8 +181,10 @@ class Pages:
         if self._replaying.locked():
             return refused(503, "busy", "another replay is being made", "try again in a while")
         async with self._replaying:
-            log = await hub.database.do(lambda c: export(c, room, names=False))
-            order = Order(hub.rooms[room].kept.name, log, hub.settings.places)
+            log = await hub.database.do(lambda c: export(c, room, names=True))
+            said = await hub.database.do(lambda c: said_to_all(c, room))
+            chat = tuple(Said(*line) for line in said)  # a page is handed on: no private lines
+            order = Order(hub.rooms[room].kept.name, log, hub.settings.places, chat)
             try:
                 page = await replay_page(order)
             except NoPage as problem:

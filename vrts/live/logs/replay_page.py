@@ -6,6 +6,7 @@ from typing import Final
 
 import msgspec
 
+from vrts.live.logs.voices import Said
 from vrts.live.settings import Place
 
 LONGEST_S: Final = 120.0  # of making a page
@@ -17,6 +18,7 @@ class Order(msgspec.Struct, frozen=True):
     name: str  # of the room
     log: bytes  # as it is exported
     places: tuple[Place, ...]  # the set of scenes
+    chat: tuple[Said, ...] = ()  # what everybody in the room could read
 
 
 class NoPage(Exception):  # noqa: N818 -- names the situation

@@ -10,16 +10,14 @@ from typing import Final
 
 import msgspec
 
-from vrts.base.source import SourceFile
-from vrts.check.judge import judge
 from vrts.live.logs.log_file import read_log
 from vrts.live.logs.logged_sessions import LogFault
 from vrts.live.logs.replay_page import NoPage, Order
+from vrts.live.logs.shown_session import shown_session
+from vrts.live.logs.voices import index_of, voices_of
 from vrts.live.session.again.replay import replay
 from vrts.live.session.channel.messages import Start
-from vrts.live.session.views.program import as_program
-from vrts.pipeline.curve import with_curve
-from vrts.report.assessment import Assessment
+from vrts.live.session.setting import setting_of
 from vrts.report.page.page import page
 from vrts.report.page.stills import page_stills
 
@@ -34,9 +32,10 @@ def page_of(order: Order) -> bytes:
         NoPage: The log holds no session, or what it holds cannot be replayed.
     """
     try:
-        eventful = [session for session in read_log(order.log) if session.entries]
+        sessions = read_log(order.log)
     except LogFault as problem:
         raise NoPage(str(problem)) from problem
+    eventful = [session for session in sessions if session.entries]
     if not eventful:
         raise NoPage(NOTHING)
     session = eventful[-1]
@@ -47,20 +46,14 @@ def page_of(order: Order) -> bytes:
         *(session.number, "", place.scene, place.task, place.lab), controller=session.controller
     )
     try:
-        run = replay(start, session.entries, session.entries[-1].at_s + MORE_S)
+        setting = setting_of(start)
+        run = replay(start, session.entries, session.entries[-1].at_s + MORE_S, setting)
     except ValueError as problem:
         raise NoPage(f"the log does not fit: {problem}") from problem
-    source = SourceFile("session.v2", as_program(run, "session"))
-    judgement = judge(run.scene, run, None)
-    found = Assessment(
-        *("session", order.name, source, ()),
-        module=run.module,
-        scene=run.scene,
-        run=run,
-        judgement=judgement,
-    )
-    found = with_curve(found)
-    return page(found, page_stills(found)).encode()
+    found = shown_session("session", order.name, setting, run)
+    which = index_of(sessions, session)
+    voices = voices_of(order.log, which, order.chat, run.horizon_s)
+    return page(found, page_stills(found), more=setting.more, voices=voices).encode()
 
 
 def main() -> None:

@@ -6,6 +6,7 @@ from typing import Final, NamedTuple
 from vrts.live.store.seals.connection import naming
 
 HISTORY: Final = 200  # lines of chat that late comers see
+MOST_SAID: Final = 5000  # lines of chat that a replay shows, the last ones
 
 
 class KeptRoom(NamedTuple):
@@ -77,6 +78,15 @@ def lines(connection: sqlite3.Connection, room: str) -> list[Line]:
         (room, HISTORY),
     ).fetchall()
     return [Line._make((*row[:6], bool(row[6]), *row[7:9], bool(row[9]))) for row in reversed(rows)]
+
+
+def said_to_all(connection: sqlite3.Connection, room: str) -> list[tuple[float, str, str]]:
+    """Return time, name and text of every line of a room's chat that everybody could read."""
+    rows = connection.execute(
+        "SELECT at, name, text FROM chat WHERE room=? AND NOT private ORDER BY number DESC LIMIT ?",
+        (room, MOST_SAID),
+    ).fetchall()
+    return rows[::-1]
 
 
 def next_number(connection: sqlite3.Connection, name: str) -> int:

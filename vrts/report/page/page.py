@@ -22,6 +22,7 @@ from vrts.report.page.replay_data import contact_rows, near_rows, run_data
 from vrts.report.page.stills import MOMENT
 from vrts.report.page.top import first_screen_section
 from vrts.report.page.viewer_data import scene_data
+from vrts.report.page.voices import Voice, voice_rows
 from vrts.report.plain import one_line
 from vrts.report.quantities import millimetres, seconds
 from vrts.web.assets import asset, packed
@@ -54,10 +55,18 @@ def page(
     more: int = 0,
     hidden: Collection[str] = (),
     scripts: Sequence[Markup] | None = None,
+    voices: Sequence[Voice] = (),
 ) -> str:
     """Return the page; `page_parts` tells what it is made of."""
     return "".join(
-        page_parts(a, stills, audience=audience, more=more, hidden=hidden, scripts=scripts)
+        page_parts(
+            *(a, stills),
+            audience=audience,
+            more=more,
+            hidden=hidden,
+            scripts=scripts,
+            voices=voices,
+        )
     )
 
 
@@ -69,6 +78,7 @@ def page_parts(
     more: int = 0,
     hidden: Collection[str] = (),
     scripts: Sequence[Markup] | None = None,
+    voices: Sequence[Voice] = (),
 ) -> list[str]:
     """Return the page in parts that follow one another: the long ones are never put together.
 
@@ -80,6 +90,7 @@ def page_parts(
         more: How many further checks there will be at marking.
         hidden: Names of the checks that students do not see, to be marked so.
         scripts: What `replay_scripts` makes of the assessment, if that is there already.
+        voices: What people said and did meanwhile.
     """
     grader = audience is Audience.GRADER
     review = needs_review(a)
@@ -108,7 +119,7 @@ def page_parts(
         *(part.section for part in parts),
         element("footer", element("p", "Written by vrts")),
     ]
-    moving = replay_scripts(a) if scripts is None else scripts
+    moving = replay_scripts(a, voices) if scripts is None else scripts
     return document_parts(one_line(a.title), "report/page.css", body, *moving)
 
 
@@ -147,11 +158,14 @@ def _program(a: Assessment, findings: Sequence[Diagnostic]) -> Markup | None:
     )
 
 
-def replay_scripts(a: Assessment) -> list[Markup]:
+def replay_scripts(a: Assessment, voices: Sequence[Voice] = ()) -> list[Markup]:
     """Return the data of the replay and the modules that show it, the same for all readers."""
     if a.run is None or a.scene is None:
         return []
-    return [json_script("data", replay_data(a)), *modules()]
+    data = replay_data(a)
+    if voices:
+        data["voices"] = voice_rows(voices)
+    return [json_script("data", data), *modules()]
 
 
 def replay_data(a: Assessment) -> dict[str, object]:

@@ -1,4 +1,6 @@
-// The table of what happened, every row a way to its time; contacts stand between the events.
+// The table of what happened, every row a way to its time; contacts and voices stand between the events.
+
+import { bindFilter, voiceRows } from "./voices.js";
 
 const MANY = 150; // rows: from here on paper shows only what matters
 const DIGITS = 3; // of times [s]
@@ -10,7 +12,7 @@ const DIGITS = 3; // of times [s]
 export class EventList {
   /**
    * @param {HTMLElement} body of the table
-   * @param {{run: {events: Row[]}, contacts: Contact[], grazes: Contact[], doubtful: Contact[], near: Contact[]}} data
+   * @param {{run: {events: Row[]}, contacts: Contact[], grazes: Contact[], doubtful: Contact[], near: Contact[], voices?: import("./voices.js").Voice[]}} data
    * @param {(t: number) => void} jump
    */
   constructor(body, data, jump) {
@@ -22,20 +24,30 @@ export class EventList {
       ...data.grazes.map((c) => row(c, "graze", `graze: ${c.text}`)),
       ...data.doubtful.map((c) => row(c, "doubtful", `too close to tell: ${c.text}`)),
       ...data.near.map((c) => row(c, "near", c.text)),
+      ...voiceRows(data.voices),
     ].sort((a, b) => a.t - b.t);
     this.entries = this.rows.map((one) => drawn(one, () => jump(one.t)));
     this.buttons = this.entries.map((entry) => /** @type {HTMLElement} */ (entry.querySelector("button")));
     body.replaceChildren(...this.entries);
     body.classList.toggle("many", this.rows.length > MANY);
     this.current = -1;
+    this.listed = this.rows.map(() => true);
     this.reach(0);
+    bindFilter(this.box, this.rows, (listed) => this.list(listed));
     body.addEventListener("keydown", (event) => this.walk(event));
+  }
+
+  /** Leave rows out, or list them again. @param {(row: Row) => boolean} wanted */
+  list(wanted) {
+    this.listed = this.rows.map(wanted);
+    this.entries.forEach((entry, index) => { entry.hidden = !this.listed[index]; });
+    this.reach(Math.max(this.listed.indexOf(true), 0));
   }
 
   /** @param {number} t [s]; marks the last event that is not later */
   show(t) {
     let index = -1;
-    while (index + 1 < this.rows.length && this.rows[index + 1].t <= t + 5e-4) index++;
+    this.rows.forEach((row, k) => { if (this.listed[k] && row.t <= t + 5e-4) index = k; });
     if (index === this.current) return;
     this.entries[this.current]?.classList.remove("now");
     this.entries[this.current]?.removeAttribute("aria-current");
@@ -63,7 +75,9 @@ export class EventList {
     if (!step || at < 0) return;
     event.preventDefault();
     event.stopPropagation();
-    const next = Math.min(Math.max(at + step, 0), this.buttons.length - 1);
+    let next = at + step;
+    while (this.listed[next] === false) next += step;
+    if (this.listed[next] === undefined) return;
     this.reach(next);
     this.buttons[next].focus();
     this.buttons[next].click();
@@ -71,12 +85,12 @@ export class EventList {
 
   /** Return the time of the next event after a time, or the last. */
   after(/** @type {number} */ t) {
-    return this.rows.find((one) => one.t > t + 1e-3)?.t ?? t;
+    return this.rows.find((one, index) => this.listed[index] && one.t > t + 1e-3)?.t ?? t;
   }
 
   /** Return the time of the event before a time, or the start. */
   before(/** @type {number} */ t) {
-    return this.rows.findLast((one) => one.t < t - 1e-3)?.t ?? 0;
+    return this.rows.findLast((one, index) => this.listed[index] && one.t < t - 1e-3)?.t ?? 0;
   }
 }
 

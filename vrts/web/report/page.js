@@ -9,6 +9,7 @@ import { charts, sampleTimes, speed, toolPath } from "./curves.js";
 import { EventList } from "./events.js";
 import { Lanes, lanesOf } from "./lanes.js";
 import { drawSnapshots } from "./snapshots.js";
+import { voiceLanes } from "./voices.js";
 import { bindKeys, bindControls, showPlaying } from "./controls.js";
 
 const byId = (/** @type {string} */ id) => /** @type {HTMLElement} */ (document.getElementById(id));
@@ -26,7 +27,7 @@ const events = new EventList(byId("events"), data, (t) => jump(t));
 const times = sampleTimes(replay);
 const path = toolPath(replay, times);
 const plots = new Charts(byId("chart-list"), times, charts(replay, times, path, data.clearance), data.contacts, (t) => jump(t));
-const lanes = new Lanes(byId("lanes"), lanesOf(replay, data), replay.end, (t) => jump(t));
+const lanes = new Lanes(byId("lanes"), [...lanesOf(replay, data), ...voiceLanes(data.voices)], replay.end, (t) => jump(t));
 /** @type {Record<string, HTMLElement | null>} */
 const lit = { lit: null, "lit-process": null };
 
