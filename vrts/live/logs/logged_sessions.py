@@ -15,7 +15,7 @@ from vrts.live.session.channel.entries import Entry
 from vrts.live.session.channel.messages import Act, Done, Halt
 
 NO_COMMANDS = frozenset(  # records of what else happened in a room
-    ("allow", "close", "control", "freeze", "hand_over", "kick", "lock")
+    ("allow", "close", "control", "freeze", "hand_over", "join", "kick", "lock", "note")
 )
 JUMPS = frozenset(("reset", "rewind"))  # after which session time is another one
 

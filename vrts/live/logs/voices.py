@@ -122,7 +122,7 @@ class _Telling:
         known = row.at_s > 0.0 or row.kind == "begin"
         if known:
             self._clock.note(row.wall, row.at_s)
-            self._now_s = max(self._now_s, row.at_s)
+            self._now_s = row.at_s
         else:
             self._now_s = max(self._now_s, self._clock.at_s(row.wall))
         name = row.name or ("" if row.purged else SERVER)
