@@ -13,7 +13,7 @@ from vrts.cli.shared.run_page import assessed, open_page, write_page
 if TYPE_CHECKING:
     from vrts.engine.run import Run
     from vrts.report.assessment import Assessment
-    from vrts.report.page.voices import Voice
+    from vrts.report.voices.rows import Voice
 
 RUN = ".vrun"
 EPILOG = """\b

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from vrts.base.source import SourceFile
     from vrts.engine.run import Run
     from vrts.report.assessment import Assessment
-    from vrts.report.page.voices import Voice
+    from vrts.report.voices.rows import Voice
 
 AGAIN = "`--no-open` writes it for another machine"
 

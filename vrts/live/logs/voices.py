@@ -12,7 +12,7 @@ from typing import Final
 
 import msgspec
 
-from vrts.report.page.voices import Voice
+from vrts.report.voices.rows import Voice
 
 SERVER: Final = "Server"
 NOBODY: Final = ""

@@ -22,9 +22,9 @@ from vrts.report.page.replay_data import contact_rows, near_rows, run_data
 from vrts.report.page.stills import MOMENT
 from vrts.report.page.top import first_screen_section
 from vrts.report.page.viewer_data import scene_data
-from vrts.report.page.voices import Voice, voice_rows
 from vrts.report.plain import one_line
 from vrts.report.quantities import millimetres, seconds
+from vrts.report.voices.rows import Voice, voice_rows
 from vrts.web.assets import asset, packed
 
 ENTRY = "report/page.js"

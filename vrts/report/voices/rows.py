@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 from typing import Final, NamedTuple
 
-from vrts.report.page.viewer_data import Json
 from vrts.report.plain import one_line
 from vrts.report.quantities import seconds
 
@@ -22,9 +21,9 @@ class Voice(NamedTuple):
     end_s: float | None = None  # until when it was so; None: it has no duration
 
 
-def voice_rows(voices: Sequence[Voice]) -> list[Json]:
+def voice_rows(voices: Sequence[Voice]) -> list[dict[str, object]]:
     """Return rows for the lanes and the list of events, in time order."""
-    rows: list[Json] = [
+    rows: list[dict[str, object]] = [
         {
             "t": seconds(voice.at_s),
             "end": None if voice.end_s is None else seconds(voice.end_s),
