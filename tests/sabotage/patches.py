@@ -1626,9 +1626,9 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "a link into one room lets into all of them",
-        "vrts/live/front/http.py",
-        "token, until, room=body.room, uses=LINK_USES",
-        "token, until, room=None, uses=LINK_USES",
+        "vrts/live/entrance/ways_in.py",
+        "now + LINK_S, room=room, uses=MANY",
+        "now + LINK_S, room=None, uses=MANY",
         ("tests/unit/live/front/test_entrances.py",),
     ),
     Patch(

@@ -12,14 +12,15 @@ from typing import NamedTuple
 import uvicorn
 
 from vrts.live.door import DoorProtocol
+from vrts.live.entrance.by_hand import supervisor_link, working_code
 from vrts.live.front.app import application
+from vrts.live.front.hop import Hop
 from vrts.live.lasting.folder_lock import held, holder
 from vrts.live.protocol.fields import LONGEST_MESSAGE
 from vrts.live.settings import DATABASE, Settings
-from vrts.live.store.accounts import LINK_S, LINK_USES, add_link
 from vrts.live.store.database import opened
 from vrts.live.store.unusable import in_one_sentence, require_whole
-from vrts.live.tokens import new_code, new_token
+from vrts.live.tokens import grouped
 from vrts.pipeline.files import CannotRead
 
 
@@ -87,7 +88,9 @@ def _serve(
     secure = listening.certificate is not None or listening.proxy
     settings = replace(settings, port=port, secure=secure, names=(*settings.names, listening.host))
     entrances = _entrances(settings, listening, port, with_code=with_code)
-    app = application(settings, entrances.code, entrances.address, rooms)
+    public = [name for name in settings.names if name != listening.host]
+    hop = Hop(public, say) if listening.proxy else None
+    app = application(settings, entrances.address, rooms, with_code=with_code, hop=hop)
     for line in greeting(settings, listening, entrances):
         say(line)
     if open_link is not None:
@@ -103,8 +106,7 @@ def _serve(
         log_config=None,
         access_log=False,
         server_header=False,
-        proxy_headers=listening.proxy,
-        forwarded_allow_ips="127.0.0.1,::1",
+        proxy_headers=False,  # `front/hop` reads them
         timeout_graceful_shutdown=5,
         ssl_certfile=listening.certificate,
         ssl_keyfile=listening.key,
@@ -143,7 +145,7 @@ def greeting(settings: Settings, listening: Listening, entrances: Entrances) -> 
     ]
     if entrances.code:
         lines.append(
-            f"class code: {entrances.code}, or {entrances.address}/#enter={entrances.code}"
+            f"class code: {grouped(entrances.code)}, or {entrances.address}/#enter={entrances.code}"
         )
     lines.append(f"kept in {settings.folder}")
     if is_loopback(listening.host):
@@ -177,13 +179,11 @@ def _is_any(host: str) -> bool:
 def _entrances(
     settings: Settings, listening: Listening, port: int, *, with_code: bool
 ) -> Entrances:
-    token, code = new_token(), new_code() if with_code else ""
     now = time.time()
     connection = opened(settings.folder / DATABASE)
     try:
-        add_link(connection, token, now + LINK_S, supervisor=True, name="supervisor")
-        if code:
-            add_link(connection, code, now + LINK_S, uses=LINK_USES)
+        token = supervisor_link(connection, now)
+        code = working_code(settings.folder, connection, now, wanted=with_code)
     finally:
         connection.close()
     return Entrances(_address(settings, listening, port), token, code)

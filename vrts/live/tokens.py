@@ -5,7 +5,7 @@ import secrets
 from typing import Final
 
 LETTERS: Final = "ABCDEFGHJKMNPQRSTUVWXYZ23456789"  # none that look alike
-CODE_LENGTH: Final = 6
+SHORTEST_LINK: Final = 40  # characters of a link's token at least; a class code has fewer
 
 
 def new_token() -> str:
@@ -13,9 +13,32 @@ def new_token() -> str:
     return secrets.token_urlsafe(32)
 
 
-def new_code() -> str:
-    """Return a class code that can be read out: 30 bits, so failures to guess it are counted."""
-    return "".join(secrets.choice(LETTERS) for _ in range(CODE_LENGTH))
+def new_code(length: int) -> str:
+    """Return a class code that can be read out; how long it must be, `entrance/guessing` says."""
+    return "".join(secrets.choice(LETTERS) for _ in range(length))
+
+
+def is_code(text: str) -> bool:
+    """Return whether something that was typed is read as a class code, not as a link's token."""
+    return len(text) < SHORTEST_LINK
+
+
+def plain_code(typed: str) -> str:
+    """Return a code as it was made: codes are typed in any case, with blanks or hyphens."""
+    return "".join(typed.upper().split()).replace("-", "")
+
+
+def grouped(code: str) -> str:
+    """Return a code as it is shown: in groups of three or four, which are easy to read out."""
+    groups = max(1, len(code) // 3)
+    size, longer = divmod(len(code), groups)
+    shown: list[str] = []
+    at = 0
+    for number in range(groups):
+        end = at + size + (number >= groups - longer)
+        shown.append(code[at:end])
+        at = end
+    return "-".join(shown)
 
 
 def new_id() -> str:
@@ -24,7 +47,5 @@ def new_id() -> str:
 
 
 def digest(token: str) -> bytes:
-    """Return what is kept of a secret; codes are read in any case, with blanks or hyphens."""
-    if len(token) < 2 * CODE_LENGTH:
-        token = token.upper().replace(" ", "").replace("-", "")
-    return hashlib.sha256(token.encode()).digest()
+    """Return what is kept of a secret."""
+    return hashlib.sha256((plain_code(token) if is_code(token) else token).encode()).digest()

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import click
 
+from vrts.cli.live.ways_in import Change, change_ways_in
 from vrts.cli.shared.console import INTERRUPTED, WRONG, fail, guarded, say, warn
 from vrts.cli.shared.options import file_option, lab_option
 
@@ -76,6 +77,11 @@ Examples:
 @click.option("--accept-logs", is_flag=True, help="Sign the logs as they are, and end.")
 @file_option("--log-key", help="File with the key that signs the logs, outside of the folder.")
 @file_option("--backup", help="Copy the database, and end.")
+@click.option("--ways-in", is_flag=True, help="List the class code and all links, and end.")
+@click.option("--renew-code", is_flag=True, help="Have another class code, and end.")
+@click.option("--end-way", metavar="ID", help="End a link or the class code, and end.")
+@click.option("--send-away", is_flag=True, help="Send away who came in by it, too.")
+@click.option("--supervisor-link", is_flag=True, help="Print a supervisor's link, once, and end.")
 @guarded
 def command(
     scenes: tuple[str, ...],
@@ -102,6 +108,11 @@ def command(
     accept_logs: bool,
     log_key: Path | None,
     backup: Path | None,
+    ways_in: bool,
+    renew_code: bool,
+    end_way: str | None,
+    send_away: bool,
+    supervisor_link: bool,
 ) -> None:
     """Share sessions in the browser: a class works with one virtual robot together.
 
@@ -141,6 +152,14 @@ def command(
             if accept_logs or verify_logs:
                 check_logs(folder, log_key, accept=accept_logs, verify=verify_logs)
         return
+    if ways_in or renew_code or end_way or supervisor_link:
+        change_ways_in(
+            folder,
+            Change(renew=renew_code, end=end_way or "", away=send_away, link=supervisor_link),
+        )
+        return
+    if send_away:
+        fail("`--send-away` goes with `--renew-code` or `--end-way`")
     if not scenes:
         fail("which scenes should be served?", ("such as `vrts serve cans-on-bases`",))
     if (tls_cert is None) != (tls_key is None):

@@ -11,8 +11,10 @@ from starlette.websockets import WebSocket
 
 from vrts.live.editing.seats import Seats
 from vrts.live.front.browsers import browsers_of
+from vrts.live.front.entrances import EntrancePages
 from vrts.live.front.guard import Guard
 from vrts.live.front.help_socket import serve_help
+from vrts.live.front.hop import Hop
 from vrts.live.front.http import Pages
 from vrts.live.front.origin import Names
 from vrts.live.front.past import PastPages
@@ -27,25 +29,35 @@ from vrts.live.settings import DATABASE, Settings
 from vrts.live.store.database import Database
 
 
-def application(settings: Settings, code: str, address: str, rooms: tuple[str, ...]) -> ASGIApp:
+def application(
+    settings: Settings,
+    address: str,
+    rooms: tuple[str, ...],
+    *,
+    with_code: bool,
+    hop: Hop | None = None,
+) -> ASGIApp:
     """Return the server's application.
 
     Args:
         settings: What it is told.
-        code: The class code; empty: there is none.
         address: Where browsers find the server, without a slash at the end.
         rooms: Names of the rooms to begin with, in the first scene, where the database has none.
+        with_code: Whether there is a class code.
+        hop: A proxy on this machine passes requests on.
     """
     signs = not settings.alone  # nothing is left behind of who teaches alone
-    hub = Hub(settings, Database(settings.folder / DATABASE, settings.log_key, signs=signs))
+    database = Database(settings.folder / DATABASE, settings.log_key, signs=signs)
+    hub = Hub(settings, database, address, with_code=with_code)
     sessions = Sessions(hub)
     seats = Seats()
-    pages = Pages(hub, StaticFiles(), code, address)
-
+    pages = Pages(hub, StaticFiles())
+    entrances = EntrancePages(hub, pages)
     past = PastPages(hub, pages.who)
 
     @asynccontextmanager
     async def lifespan(_: Starlette) -> AsyncGenerator[None, None]:
+        await hub.ways.open()
         await open_kept(hub)
         for room in hub.rooms.values():
             sessions.begin(room)
@@ -74,20 +86,22 @@ def application(settings: Settings, code: str, address: str, rooms: tuple[str, .
         routes=[
             Route("/", pages.page),
             Route("/web/{path:path}", pages.file),
-            Route("/enter", pages.enter, methods=["POST"]),
-            Route("/login", pages.login, methods=["POST"]),
+            Route("/enter", entrances.enter, methods=["POST"]),
+            Route("/login", entrances.login, methods=["POST"]),
             Route("/logout", pages.logout, methods=["POST"]),
             Route("/me", pages.me),
             Route("/scene/{room}/{session:int}", pages.scene),
             Route("/past/{room}/{session:int}/{number:int}", past.block),
             Route("/log/{room}", pages.log),
             Route("/replay/{room}", pages.replay),
-            Route("/link", pages.link, methods=["POST"]),
-            Route("/code", pages.code),
-            Route("/code.svg", pages.code_picture),
+            Route("/link", entrances.link, methods=["POST"]),
+            Route("/code", entrances.code),
+            Route("/code.svg", entrances.code_picture),
+            Route("/ways", entrances.ways),
+            Route("/ways", entrances.change, methods=["POST"]),
             WebSocketRoute("/ws", socket),
             WebSocketRoute("/lsp", help_),
             *ProgramPages(hub, pages.who).routes(),
         ],
     )
-    return Guard(app, Names(settings.names), secure=settings.secure)
+    return Guard(app, Names(settings.names), secure=settings.secure, hop=hop)

@@ -6,6 +6,7 @@ from starlette.datastructures import Headers, MutableHeaders
 from starlette.responses import JSONResponse
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
+from vrts.live.front.hop import Hop
 from vrts.live.front.origin import Names
 
 POLICY: Final = (
@@ -27,9 +28,10 @@ SECURE: Final = "max-age=31536000"  # Strict-Transport-Security
 class Guard:
     """Wraps the application; nothing reaches it under a foreign name or from a foreign page."""
 
-    def __init__(self, app: ASGIApp, names: Names, *, secure: bool) -> None:
-        """Guard an application."""
+    def __init__(self, app: ASGIApp, names: Names, *, secure: bool, hop: Hop | None = None) -> None:
+        """Guard an application; `hop`: a proxy on this machine passes requests on."""
         self._app = app
+        self._hop = hop
         self._names = names
         self._secure = secure
 
@@ -40,6 +42,8 @@ class Guard:
             return
         headers = Headers(scope=scope)
         host = headers.get("host", "")
+        if self._hop is not None:
+            scope["client"] = (self._hop.client(scope, headers), 0)
 
         async def guarded(message: Message) -> None:
             if message["type"] in ("http.response.start", "websocket.http.response.start"):

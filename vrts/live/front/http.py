@@ -1,49 +1,39 @@
-"""What is asked over HTTP: the page and its files, entering, scenes, logs, the class code."""
+"""What is asked over HTTP: the page and its files, who one is, scenes, logs."""
 
 import asyncio
 import time
 from collections.abc import Awaitable, Callable
-from typing import Final, TypeVar
+from typing import Final
 
-import msgspec
 from starlette.requests import Request
 from starlette.responses import Response
 
-from vrts.live.front.browsers import browser_token, browsers_of, keep_browser
+from vrts.live.front.bodies import JSON, as_json
+from vrts.live.front.browsers import browsers_of, keep_browser
 from vrts.live.front.guard import refused
-from vrts.live.front.qr_code import qr_svg
 from vrts.live.front.static_files import PAGE, Content, StaticFiles, content
 from vrts.live.logs.replay_page import NoPage, Order, replay_page
 from vrts.live.logs.voices import Said
-from vrts.live.people.naming import person_name
-from vrts.live.protocol.over_http import Enter, Link, LogIn, MakeLink, Me
+from vrts.live.protocol.over_http import Me
 from vrts.live.rooms.entering import log_out
 from vrts.live.rooms.hub import Hub
 from vrts.live.store import accounts
-from vrts.live.store.accounts import LINK_S, LINK_USES, LOGIN_S, Account
-from vrts.live.store.bars import Inherited, inherit, use_browser
-from vrts.live.store.database import Connection
+from vrts.live.store.accounts import LOGIN_S, Account
 from vrts.live.store.log import export
 from vrts.live.store.rooms import said_to_all
-from vrts.live.tokens import digest, new_token
 
-LONGEST_BODY: Final = 8 * 1024  # bytes
 LONGEST_TOKEN: Final = 128  # characters
-JSON: Final = "application/json"
 
-Body = TypeVar("Body")
 Handler = Callable[[Request], Awaitable[Response]]
 
 
 class Pages:
     """The handlers."""
 
-    def __init__(self, hub: Hub, files: StaticFiles, code: str, address: str) -> None:
-        """Serve a hub; `code` is the class code (empty: none), `address` where browsers find us."""
+    def __init__(self, hub: Hub, files: StaticFiles) -> None:
+        """Serve a hub."""
         self._hub = hub
         self._files = files
-        self._code = code
-        self._address = address
         self._scenes: dict[str, Content] = {}
         self._replaying = asyncio.Lock()
 
@@ -54,71 +44,6 @@ class Pages:
     async def file(self, request: Request) -> Response:
         """Return a file of the page."""
         return self._file(request, request.path_params["path"])
-
-    async def enter(self, request: Request) -> Response:
-        """Let somebody in who has a join link or the class code."""
-        hub, now = self._hub, time.time()
-        body = await _body(request, Enter)
-        if isinstance(body, Response):
-            return body
-        address = _address(request)
-        if hub.failures.blocked(address, time.monotonic()):
-            return _wait()
-
-        token = request.cookies.get(hub.settings.cookie, "")
-        browser = browser_token(request.cookies, hub.settings)
-        inherited: list[Inherited] = []
-
-        def let_in(connection: Connection) -> tuple[Account, str] | None:
-            account = accounts.enter(connection, body.code, body.name, now)
-            if account is None:
-                return None
-            old = accounts.who(connection, token[:LONGEST_TOKEN], now)
-            used = [account.id] if old is None else [account.id, old.id]
-            use_browser(connection, used, digest(browser))
-            if not account.supervisor:
-                inherited.append(inherit(connection, account.id, person_name(body.name)))
-            return account, accounts.log_in(connection, account.id, now)
-
-        try:
-            found = await hub.database.do(let_in)
-        except ValueError as problem:
-            return refused(422, "name", str(problem))
-        if found is None:
-            hub.failures.failed(address, time.monotonic())
-            return refused(403, "code", "there is no such code or link", "ask for a new one")
-        for bars, muted in inherited:
-            for room, name in bars:
-                if room in hub.rooms:
-                    hub.rooms[room].barred[found[0].id] = name
-            if muted:
-                hub.muted[found[0].id] = muted
-        return self._logged_in(*found, browser)
-
-    async def login(self, request: Request) -> Response:
-        """Let somebody in who has a local account."""
-        hub, now = self._hub, time.time()
-        body = await _body(request, LogIn)
-        if isinstance(body, Response):
-            return body
-        address = _address(request)
-        if hub.failures.blocked(address, time.monotonic()):
-            return _wait()
-        found = await hub.database.do(lambda c: accounts.password_of(c, body.user))
-        right = await hub.passwords.right(body.password, found[1] if found else None)
-        if right is None:
-            return refused(503, "busy", "too many log in at once", "try again in a few seconds")
-        if found is None or not right:
-            hub.failures.failed(address, time.monotonic())
-            return refused(403, "login", "user or password is wrong")
-        account = found[0]
-        browser = browser_token(request.cookies, hub.settings)
-
-        def let_in(connection: Connection) -> str:
-            use_browser(connection, (account.id,), digest(browser))
-            return accounts.log_in(connection, account.id, now)
-
-        return self._logged_in(account, await hub.database.do(let_in), browser)
 
     async def logout(self, request: Request) -> Response:
         """End the cookie, and the connections of the browser, at once."""
@@ -192,37 +117,6 @@ class Pages:
         headers = {"content-disposition": f'attachment; filename="{_file_name(room)}.html"'}
         return Response(page, headers=headers, media_type="text/html")
 
-    async def link(self, request: Request) -> Response:
-        """Make a join link for one room, for supervisors."""
-        account = await self.who(request.cookies)
-        if account is None or not account.supervisor:
-            return refused(403, "role", "only a supervisor may do this")
-        body = await _body(request, MakeLink)
-        if isinstance(body, Response):
-            return body
-        if body.room not in self._hub.rooms:
-            return refused(404, "room", "there is no such room any more")
-        token, until = new_token(), time.time() + LINK_S
-        await self._hub.database.do(
-            lambda c: accounts.add_link(c, token, until, room=body.room, uses=LINK_USES)
-        )
-        url = f"{self._address}/#enter={token}"
-        return _json(Link(url, qr_svg(url).decode()))
-
-    async def code(self, request: Request) -> Response:
-        """Return the class code and its link to supervisors."""
-        account = await self.who(request.cookies)
-        if account is None or not account.supervisor:
-            return refused(403, "role", "only a supervisor may do this")
-        return _json({"code": self._code, "url": self._link()})
-
-    async def code_picture(self, request: Request) -> Response:
-        """Return the QR code of the class code's link to supervisors."""
-        account = await self.who(request.cookies)
-        if account is None or not account.supervisor or not self._code:
-            return refused(403, "role", "only a supervisor may do this")
-        return Response(qr_svg(self._link()), media_type="image/svg+xml")
-
     async def who(self, cookies: dict[str, str]) -> Account | None:
         """Return whose cookie this is."""
         token = cookies.get(self._hub.settings.cookie, "")
@@ -230,16 +124,14 @@ class Pages:
             return None
         return await self._hub.database.do(lambda c: accounts.who(c, token, time.time()))
 
-    def _link(self) -> str:
-        return f"{self._address}/#enter={self._code}" if self._code else ""
-
     def _file(self, request: Request, path: str) -> Response:
         found = self._files.find(path)
         if found is None:
             return refused(404, "file", "there is no such page")
         return found.answer(request)
 
-    def _logged_in(self, account: Account, token: str, browser: str) -> Response:
+    def logged_in(self, account: Account, token: str, browser: str) -> Response:
+        """Return the answer to who has come in, with the cookies."""
         settings = self._hub.settings
         answer = self._me(account)
         answer.set_cookie(
@@ -256,26 +148,7 @@ class Pages:
 
     def _me(self, account: Account) -> Response:
         alone = self._hub.settings.alone
-        return _json(Me(account.name, account.supervisor, self._hub.entries(account), alone))
-
-
-async def _body(request: Request, kind: type[Body]) -> Body | Response:
-    """Return the JSON body of a request, or why it is refused."""
-    if request.headers.get("content-type", "").split(";")[0].strip() != JSON:
-        return refused(415, "body", f"the body must be {JSON}")
-    data = b""
-    async for part in request.stream():
-        data += part
-        if len(data) > LONGEST_BODY:
-            return refused(413, "body", "the body is too long")
-    try:
-        return msgspec.json.decode(data, type=kind)
-    except msgspec.DecodeError as problem:
-        return refused(400, "body", str(problem))
-
-
-def _json(value: object) -> Response:
-    return Response(msgspec.json.encode(value), media_type=JSON)
+        return as_json(Me(account.name, account.supervisor, self._hub.entries(account), alone))
 
 
 def _file_name(room: str) -> str:
@@ -284,11 +157,3 @@ def _file_name(room: str) -> str:
 
 def _nobody() -> Response:
     return refused(401, "login", "nobody is logged in", "open the join link again")
-
-
-def _wait() -> Response:
-    return refused(429, "failures", "too many failed log-ins", "wait five minutes")
-
-
-def _address(request: Request) -> str:
-    return request.client.host if request.client else ""

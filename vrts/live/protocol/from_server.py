@@ -159,6 +159,13 @@ class Rooms(Message, frozen=True, tag="rooms"):
     projector: str
 
 
+class ClassCode(Message, frozen=True, tag="code"):
+    """The class code that works now; told to supervisors when they join and whenever it changes."""
+
+    code: str  # in groups; empty: there is none
+    url: str  # that lets in by it
+
+
 class LogFile(Message, frozen=True, tag="log_file"):
     """Where a log can be fetched, with the cookie."""
 
@@ -190,6 +197,7 @@ FromServer = (
     | Branched
     | Wall
     | Rooms
+    | ClassCode
     | LogFile
     | Closed
 )

@@ -1,6 +1,6 @@
 """What is asked and answered over HTTP: POST with a JSON body, answered with JSON."""
 
-from typing import Annotated
+from typing import Annotated, Literal
 
 import msgspec
 from msgspec import Meta
@@ -34,6 +34,53 @@ class Link(msgspec.Struct, frozen=True):
 
     url: str
     picture: str  # QR code, SVG
+
+
+class ChangeWays(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """`POST /ways`, supervisors only: renew or end the class code or a link.
+
+    Answered by `Link` where a link was renewed, else by `Ways`.
+    """
+
+    do: Literal["renew", "end"]
+    id: Id = ""  # of a `WayRow`; empty with `renew`: the class code, or one where there is none
+    away: bool = False  # send those away who came in by it
+
+
+class WayRow(msgspec.Struct, frozen=True):
+    """A way in."""
+
+    id: str
+    kind: Literal["code", "link", "supervisor"]
+    room: str  # name; empty: all rooms
+    made: float  # Unix time [s]; 0: not known
+    ends: float  # Unix time [s]; 0: when it is renewed
+    used: int  # entries so far
+    inside: int  # how many of them are still known
+
+
+class EntriesFrom(msgspec.Struct, frozen=True):
+    """Entries from an address."""
+
+    address: str
+    hour: int
+    day: int
+
+
+class Ways(msgspec.Struct, frozen=True):
+    """`GET /ways`, supervisors only: what lets people in, and how many came in."""
+
+    code: str  # in groups; empty: there is none
+    url: str  # with the code
+    wrong: int  # guesses at class codes so far
+    left: int  # before the code becomes longer
+    ways: tuple[WayRow, ...]  # the class code first
+    hour: int  # entries
+    day: int
+    most: tuple[EntriesFrom, ...]  # addresses with most of them, kept in memory for a day
+    guests: int
+    unused: int  # of them, who never joined a room
+    idle: int  # of them, who were not seen for a week
 
 
 class Me(msgspec.Struct, frozen=True):

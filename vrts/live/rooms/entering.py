@@ -2,6 +2,7 @@
 
 import secrets
 import time
+from collections.abc import Iterable
 
 import msgspec
 
@@ -17,6 +18,7 @@ from vrts.live.rooms.keeping import control_changed
 from vrts.live.rooms.member import Member
 from vrts.live.rooms.room import Room
 from vrts.live.store.accounts import Account
+from vrts.live.store.guests import saw
 
 
 def enter(hub: Hub, account: Account, join: Join, door: Door) -> Member:
@@ -24,11 +26,11 @@ def enter(hub: Hub, account: Account, join: Join, door: Door) -> Member:
     room = _room_for(hub, account, join.room)
     member = _returning(room, account, join)
     if member is None:
-        connected = sum(m.account.id == account.id and m.door is not None for m in hub.everybody())
-        if connected >= limits.CONNECTIONS:
-            raise NotObeyed("limit", f"there are {connected} connections of this account")
+        make_way(hub, room, account)
         member = Member(account, room.id)
         room.members[member.id] = member
+    member.came = member.heard = time.monotonic()
+    _saw(hub, member, 0.0)
     resumed = join.resume == member.resume and room.remembers(join.seen)
     member.seen = join.seen if resumed else None
     member.door, member.rate, member.settled = door, join.rate, False
@@ -84,6 +86,8 @@ def settle(hub: Hub, room: Room, state: bytes) -> None:
             member.send(text_frame(encode(room.waits_for(member))))
         all_rooms = Rooms(hub.entries(member.account), hub.projector)
         member.send(text_frame(encode(all_rooms)))
+        if member.supervisor:
+            member.send(text_frame(encode(hub.class_code())))
 
 
 def drop(hub: Hub, member: Member, door: Door) -> None:
@@ -92,10 +96,39 @@ def drop(hub: Hub, member: Member, door: Door) -> None:
         return  # they are back already, on another connection
     member.door, member.settled, member.wall = None, False, False
     member.away_since = time.time()
+    _saw(hub, member, time.monotonic() - member.came)
     room = hub.rooms.get(member.room)
     if room is not None:
         room.control.away(member.id, member.away_since)
         room.tell_people_soon()
+
+
+def make_way(hub: Hub, room: Room, account: Account) -> None:
+    """Make sure that there is a place for one more, and give up places of people who are away.
+
+    Raises:
+        NotObeyed: All places are of people who are here.
+    """
+    own = [member for member in hub.everybody() if member.account.id == account.id]
+    if len(own) >= limits.CONNECTIONS:
+        _give_up(hub, own, f"there are {len(own)} connections of this account")
+    if len(room.members) >= limits.PLACES:
+        _give_up(hub, room.members.values(), f"all {limits.PLACES} places of this room are taken")
+
+
+def _give_up(hub: Hub, members: Iterable[Member], refusal: str) -> None:
+    """Give up the place of who is away for longest."""
+    gone = min((m for m in members if m.door is None), key=lambda m: m.away_since, default=None)
+    if gone is None:
+        raise NotObeyed("limit", refusal, "come back later")
+    remove(hub, hub.rooms[gone.room], gone)
+
+
+def _saw(hub: Hub, member: Member, stayed_s: float) -> None:
+    """Keep when somebody was here: who uses a place does not lose it."""
+    account, now = member.account.id, time.time()
+    hub.ways.entries.joined(account)
+    hub.spawn(hub.database.do(lambda connection: saw(connection, account, now, stayed_s)))
 
 
 def remove(hub: Hub, room: Room, member: Member) -> None:

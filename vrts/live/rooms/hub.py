@@ -6,10 +6,10 @@ from collections.abc import Coroutine
 from typing import Any
 
 from vrts.live.door import text_frame
-from vrts.live.limits import FailedLogIns
+from vrts.live.entrance.ways_in import WaysIn
 from vrts.live.passwords import Passwords
 from vrts.live.protocol.coding import encode
-from vrts.live.protocol.from_server import Rooms
+from vrts.live.protocol.from_server import ClassCode, Rooms
 from vrts.live.protocol.listed import RoomEntry
 from vrts.live.rooms.member import Member
 from vrts.live.rooms.room import Room
@@ -17,6 +17,7 @@ from vrts.live.settings import Settings
 from vrts.live.store.accounts import Account
 from vrts.live.store.bars import Bars
 from vrts.live.store.database import Database
+from vrts.live.tokens import grouped
 
 _log = logging.getLogger("vrts.live")
 
@@ -24,13 +25,16 @@ _log = logging.getLogger("vrts.live")
 class Hub:
     """Owns the rooms. Everything in it happens in the event loop's thread."""
 
-    def __init__(self, settings: Settings, database: Database) -> None:
-        """Begin without rooms."""
+    def __init__(
+        self, settings: Settings, database: Database, address: str = "", *, with_code: bool = False
+    ) -> None:
+        """Begin without rooms; `address` is where browsers find the server."""
         self.settings = settings
         self.database = database
         self.rooms: dict[str, Room] = {}
         self.muted: Bars = {}  # accounts that are not heard, with the names they had then
-        self.failures = FailedLogIns()
+        self.ways = WaysIn(settings.folder, database, address, has_code=with_code)
+        self.ways.changed = self.code_changed
         self.passwords = Passwords()
         self.projector = ""
         self.branching: set[int] = set()  # accounts whose private rooms are being made
@@ -57,6 +61,17 @@ class Hub:
         for member in self.everybody():
             message = Rooms(self.entries(member.account), self.projector)
             member.send(text_frame(encode(message)))
+
+    def class_code(self) -> ClassCode:
+        """Return what supervisors are told of the class code."""
+        return ClassCode(grouped(self.ways.code.text), self.ways.url())
+
+    def code_changed(self) -> None:
+        """Show supervisors the class code that works now, on every wall at once."""
+        frame = text_frame(encode(self.class_code()))
+        for member in self.everybody():
+            if member.supervisor:
+                member.send(frame)
 
     def everybody(self) -> list[Member]:
         """Return all members of all rooms."""

@@ -27,6 +27,8 @@ class Member:
     settled: bool = False  # has been sent a snapshot, and gets what is new
     seen: int | None = None  # number after which a returning client is told what it missed
     away_since: float = 0.0
+    came: float = 0.0  # when the connection began, of a clock that only goes on [s]
+    heard: float = 0.0  # when it last said something
     hand: bool = False
     wall: bool = False  # watches the wall
     due: float = 0.0  # when the next pose frame is due

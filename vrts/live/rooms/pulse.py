@@ -11,10 +11,12 @@ from vrts.live.rooms.private.branching import end_empty
 from vrts.live.rooms.room import Room
 from vrts.live.rooms.wall import show_wall
 from vrts.live.store.accounts import existing
+from vrts.live.store.links import sent_away
 from vrts.live.store.progress import keep_reached
 
 AWAY_S: Final = 300.0  # how long the place of somebody whose connection dropped is kept
 PULSE: Final = 0.1  # [s]
+AWAY: Final = "the supervisor has ended the link or code that you came in by"
 
 
 async def pulse(hub: Hub) -> None:
@@ -31,6 +33,7 @@ async def pulse(hub: Hub) -> None:
             _keep_reached(hub)
             await _send_purged_away(hub)
             await end_empty(hub)
+            await hub.ways.look()
 
 
 def _pulse_room(hub: Hub, room: Room, now: float) -> None:
@@ -48,12 +51,15 @@ def _pulse_room(hub: Hub, room: Room, now: float) -> None:
 
 
 async def _send_purged_away(hub: Hub) -> None:
-    """End the places of accounts that were purged meanwhile, from the command line."""
+    """End the places of accounts that were purged meanwhile, or whose way in was ended."""
     known = {member.account.id for member in hub.everybody()} | hub.muted.keys()
     known.update(*(room.barred for room in hub.rooms.values()))
     if not known:
         return
     there = await hub.database.do(lambda connection: existing(connection, known))
+    away = await hub.database.do(lambda connection: sent_away(connection, there))
+    for member in [m for m in hub.everybody() if m.account.id in away]:
+        send_away(hub, member, "kicked", AWAY)
     for account in known - there:
         for kept in (hub.muted, *(room.barred for room in hub.rooms.values())):
             kept.pop(account, None)

@@ -7,11 +7,12 @@ from typing import Final, NamedTuple
 
 from vrts.live.names import display_name
 from vrts.live.people.naming import Taken, own_name, person_name
-from vrts.live.tokens import digest, new_token
+from vrts.live.tokens import digest, new_id, new_token
 
 LOGIN_S: Final = 30 * 86_400.0  # how long a cookie lasts
-LINK_S: Final = 12 * 3600.0  # how long a link or class code lets in
-LINK_USES: Final = 2000  # how often, where it is for many
+ONCE_S: Final = 12 * 3600.0  # how long a link for one browser lets in
+LINK_S: Final = 200 * 86_400.0  # how long a link for many does, unless it is ended before
+MANY: Final = -1  # uses: any number
 GUESTS: Final = 5000  # accounts without a password at most
 
 
@@ -32,8 +33,9 @@ def add_account(
     password: str | None = None,
     supervisor: bool = False,
     room: str | None = None,
+    link: str | None = None,
 ) -> Account:
-    """Make an account; `password` is a hash.
+    """Make an account; `password` is a hash, `link` what the link is called that it came in by.
 
     Raises:
         ValueError: The name cannot be shown, or there are too many guests.
@@ -48,12 +50,13 @@ def add_account(
         shown = own_name(shown, Taken(others), guest=not supervisor)
     elif shown in others:
         raise ValueError(f"there is an account `{shown}` already")
-    found = connection.execute(
-        "INSERT INTO account (name, password, supervisor, room, created) VALUES (?,?,?,?,?)"
-        " RETURNING id",
-        (shown, password, supervisor, room, now),
-    ).fetchone()
-    return Account(found[0], shown, supervisor, room)
+    id_ = _new_id(connection)
+    connection.execute(
+        "INSERT INTO account (id, name, password, supervisor, room, created, link)"
+        " VALUES (?,?,?,?,?,?,?)",
+        (id_, shown, password, supervisor, room, now, link),
+    )
+    return Account(id_, shown, supervisor, room)
 
 
 def password_of(connection: sqlite3.Connection, name: str) -> tuple[Account, str] | None:
@@ -89,6 +92,14 @@ def log_out(connection: sqlite3.Connection, token: str) -> None:
     connection.execute("DELETE FROM login WHERE digest=?", (digest(token),))
 
 
+def knows(connection: sqlite3.Connection, account: int, browser: bytes) -> bool:
+    """Return whether somebody was logged in to an account with a browser of this digest."""
+    row = connection.execute(
+        "SELECT 1 FROM browser WHERE account=? AND digest=?", (account, browser)
+    ).fetchone()
+    return row is not None
+
+
 def add_link(
     connection: sqlite3.Connection,
     token: str,
@@ -98,12 +109,29 @@ def add_link(
     room: str | None = None,
     name: str | None = None,
     uses: int = 1,
-) -> None:
-    """Let who knows a token or code enter."""
+    code: bool = False,
+    made: float = 0.0,
+) -> str:
+    """Let who knows a token or code enter; return what the link is called.
+
+    Args:
+        connection: Of the database.
+        token: What they know.
+        expires: Until when it lets in, Unix time [s].
+        supervisor: Whether they may supervise.
+        room: The only one that they may enter.
+        name: That they have; without one they say it.
+        uses: How often it lets in, or `MANY`.
+        code: Whether it is the class code.
+        made: When it was made, Unix time [s].
+    """
+    id_ = new_id()
     connection.execute(
-        "INSERT INTO link (digest, supervisor, room, name, uses, expires) VALUES (?,?,?,?,?,?)",
-        (digest(token), supervisor, room, name, uses, expires),
+        "INSERT INTO link (digest, supervisor, room, name, uses, expires, id, made, code)"
+        " VALUES (?,?,?,?,?,?,?,?,?)",
+        (digest(token), supervisor, room, name, uses, expires, id_, made, code),
     )
+    return id_
 
 
 def enter(connection: sqlite3.Connection, token: str, name: str, now: float) -> Account | None:
@@ -113,15 +141,19 @@ def enter(connection: sqlite3.Connection, token: str, name: str, now: float) -> 
         ValueError: The name cannot be shown.
     """
     row = connection.execute(
-        "SELECT supervisor, room, name FROM link WHERE digest=? AND expires>? AND uses>0"
-        " AND ended IS NULL",
+        "SELECT supervisor, room, name, id FROM link"
+        " WHERE digest=? AND expires>? AND uses<>0 AND ended IS NULL",
         (digest(token), now),
     ).fetchone()
     if row is None:
         return None
-    supervisor, room, own = row
-    connection.execute("UPDATE link SET uses=uses-1 WHERE digest=?", (digest(token),))
-    return add_account(connection, own or name, now, supervisor=bool(supervisor), room=room)
+    supervisor, room, own, link = row
+    connection.execute(
+        "UPDATE link SET uses=uses-(uses>0), used=used+1 WHERE digest=?", (digest(token),)
+    )
+    return add_account(
+        connection, own or name, now, supervisor=bool(supervisor), room=room, link=link
+    )
 
 
 def existing(connection: sqlite3.Connection, accounts: Iterable[int]) -> set[int]:
@@ -135,3 +167,14 @@ def existing(connection: sqlite3.Connection, accounts: Iterable[int]) -> set[int
 
 def _account(row: tuple[int, str, int, str | None]) -> Account:
     return Account(row[0], row[1], bool(row[2]), row[3])
+
+
+def _new_id(connection: sqlite3.Connection) -> int:
+    """Return a number that no account ever had: what is kept of who is gone stays theirs."""
+    (last,) = connection.execute("SELECT coalesce(max(id), 0) FROM account").fetchone()
+    (found,) = connection.execute(
+        "INSERT INTO counter VALUES ('account', ?1 + 1)"
+        " ON CONFLICT (name) DO UPDATE SET value=max(value, ?1) + 1 RETURNING value",
+        (last,),
+    ).fetchone()
+    return int(found)

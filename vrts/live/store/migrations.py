@@ -135,11 +135,6 @@ STEPS: Final = (
     ALTER TABLE account ADD COLUMN seen REAL NOT NULL DEFAULT 0;
     ALTER TABLE account ADD COLUMN stayed_s REAL NOT NULL DEFAULT 0;
     UPDATE account SET seen=created, stayed_s=86400;
-    CREATE TABLE device (
-        digest BLOB PRIMARY KEY,
-        account INTEGER NOT NULL REFERENCES account ON DELETE CASCADE,
-        expires REAL NOT NULL
-    ) WITHOUT ROWID;
     """,
     """
     CREATE TABLE browser (

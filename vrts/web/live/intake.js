@@ -43,6 +43,7 @@ export class Intake {
       case "event": this.event(message.event); break;
       case "wall": store.set({ wall: message.rooms, projector: message.projector }); break;
       case "rooms": this.rooms(message); break;
+      case "code": store.set({ code: { code: message.code, url: message.url } }); break;
       case "refused": this.heard.refused(message); break;
     }
   }

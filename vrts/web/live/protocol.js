@@ -68,6 +68,7 @@ export const FROM_SERVER = {
   branched: ["of", "room"],
   wall: ["rooms", "projector"],
   rooms: ["rooms", "projector"],
+  code: ["code", "url"],
   log_file: ["of", "url"],
   closed: ["code", "text"],
 };

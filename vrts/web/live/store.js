@@ -30,6 +30,7 @@
  * @property {import("./protocol.js").Marked | null} marked the public mark with every lost point
  * @property {string} output the end of what the monitor shows
  * @property {import("./protocol.js").WallRow[]} wall
+ * @property {{code: string, url: string}} code the class code that works now, for supervisors
  */
 
 /** @returns {Known} */
@@ -37,7 +38,7 @@ function nothing() {
   return {
     connection: "connecting", ended: "", you: "", name: "", supervisor: false, alone: false, room: null, rooms: [], projector: "",
     scenes: [], session: -1, sceneUrl: "", alive: false, noSession: null, people: [], barred: [], muted: [], chat: [], status: null, programs: [],
-    contacts: [], near: [], events: [], output: "", task: null, marked: null, wall: [],
+    contacts: [], near: [], events: [], output: "", task: null, marked: null, wall: [], code: { code: "", url: "" },
     control: { holder: "", lease: "", queue: [], locked: false, frozen: false, chat: true, turn_s: 0, idle_s: 0, ends: 0 },
   };
 }

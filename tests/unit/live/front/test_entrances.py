@@ -44,7 +44,7 @@ def test_quiet_leaves_the_ways_in(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
     assert said.exit_code == 0, said.output
     assert re.search(r"^serving cans-on-bases at http://127\.0\.0\.1:\d+$", said.stderr, re.M)
     assert re.search(r"^supervisor, once: http\S+#enter=\S+$", said.stderr, re.M)
-    assert re.search(r"^class code: \w{6}", said.stderr, re.M)
+    assert re.search(r"^class code: \w{3}-\w{3}-\w{3},", said.stderr, re.M)
 
 
 @pytest.mark.skipif(shutil.which("openssl") is None, reason="makes its certificate with openssl")

@@ -3,7 +3,7 @@
 import { enter, logIn } from "../account.js";
 import { byId, onSubmit } from "../dom.js";
 
-const CODE = 6; // characters of a class code; a link has more
+const CODE = 39; // characters of a class code at most; a link has more
 
 let ready = false;
 

@@ -64,7 +64,7 @@ export function showRoom(me, wanted) {
   mountHistory(app);
   mountChat(app);
   mountPeople(app);
-  if (me.supervisor && !me.alone) mountLead(app, mountEntrance(app.toasts));
+  if (me.supervisor && !me.alone) mountLead(app, mountEntrance(app.toasts, app.store));
   mountSettings(app);
   bindKeys(app);
 }

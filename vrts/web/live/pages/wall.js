@@ -24,7 +24,8 @@ export function showWall(me) {
   }
   const store = new Store();
   const toasts = new Toasts(byId("toasts"));
-  mountEntrance(toasts);
+  mountEntrance(toasts, store);
+  store.on(["code"], ({ code }) => write(byId("wall-code"), code.code ? `Class code ${code.code}` : "Class code"));
   const intake = new Intake(store, new Bodies(), {
     refused: (message) => toasts.warn(new Refusal(/** @type {any} */ (message)).message),
     jumped: () => undefined,

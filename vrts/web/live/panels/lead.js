@@ -1,6 +1,7 @@
 // The supervisor's panel: control right, order, scene, rooms, logs.
 
 import { byId, button, choice, download, make, onSubmit, write } from "../dom.js";
+import { waysIn } from "./ways_in.js";
 
 const ELSEWHERE = { target: "_blank", rel: "noopener" };
 
@@ -103,6 +104,7 @@ export function mountLead({ store, connection, toasts }, entrance) {
         make("a", { class: "button", href: "/?wall", text: "Wall", ...ELSEWHERE }), make("a", { class: "button", href: "/?projector", text: "Projector", ...ELSEWHERE })),
       make("div", { class: "row" }, button("Freeze all", () => told("freeze", { on: true, everywhere: true })), button("Unfreeze all", () => told("freeze", { on: false, everywhere: true }))),
       broadcast, rooms),
+    waysIn(store, toasts, entrance),
     make("div", { class: "block" }, make("h2", { text: "New rooms" }), make("label", { for: "new-rooms", class: "soft", text: "One name on each line" }), names,
       make("div", { class: "row" }, roomScene, build)),
   );

@@ -15,7 +15,12 @@ export function mountPeople({ store, connection, toasts }) {
   const list = make("ul", { class: "people", "aria-label": "People" });
   const sentAway = held("Sent away", "Let in again", "allow", connection);
   const silent = held("Muted, whatever name they take", "Let speak again", "unmute", connection);
-  panel.append(make("div", { class: "row" }, hand), list, sentAway.place, silent.place);
+  const code = make("p", { class: "class-code", hidden: true });
+  store.on(["code", "supervisor"], ({ code: { code: text }, supervisor }) => {
+    code.hidden = !supervisor || !text;
+    write(code, `Class code ${text}`);
+  });
+  panel.append(make("div", { class: "row" }, hand, code), list, sentAway.place, silent.place);
   store.on(["barred", "muted", "supervisor"], ({ barred, muted, supervisor }) => {
     sentAway.show(supervisor ? barred : []);
     silent.show(supervisor ? muted : []);

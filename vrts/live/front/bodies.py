@@ -1,0 +1,34 @@
+"""Bodies of requests, read without trust, and of answers."""
+
+from typing import Final, TypeVar
+
+import msgspec
+from starlette.requests import Request
+from starlette.responses import Response
+
+from vrts.live.front.guard import refused
+
+LONGEST_BODY: Final = 8 * 1024  # bytes
+JSON: Final = "application/json"
+
+Body = TypeVar("Body")
+
+
+async def read_body(request: Request, kind: type[Body]) -> Body | Response:
+    """Return the JSON body of a request, or why it is refused."""
+    if request.headers.get("content-type", "").split(";")[0].strip() != JSON:
+        return refused(415, "body", f"the body must be {JSON}")
+    data = b""
+    async for part in request.stream():
+        data += part
+        if len(data) > LONGEST_BODY:
+            return refused(413, "body", "the body is too long")
+    try:
+        return msgspec.json.decode(data, type=kind)
+    except msgspec.DecodeError as problem:
+        return refused(400, "body", str(problem))
+
+
+def as_json(value: object) -> Response:
+    """Return an answer."""
+    return Response(msgspec.json.encode(value), media_type=JSON)
