@@ -86,7 +86,94 @@ def test_who_is_muted_stays_so_under_another_name_until_the_supervisor_undoes_it
     student_.page.fill("#enter-code", server.code)
     student_.page.fill("#enter-name", "Berta")
     student_.page.click("#enter-form button")
-    student_.until("vrts.store?.now.name === 'Berta'")
+    student_.until("window.vrts?.store.now.name === 'Berta'")
     student_.until("document.getElementById('panel-chat').textContent.includes('has muted you')")
     lead.page.click("button:text('Let speak again')")
     student_.until("!document.getElementById('panel-chat').querySelector('form').hidden")
+
+
+SHOWN = (
+    "document.querySelector('.announced:not([hidden]) .what')?.textContent === 'Read <b>page 4</b>'"
+)
+
+
+def test_an_announcement_stands_on_top_of_every_page_until_it_is_closed(
+    server: LiveServer, lead: Desk, student_: Desk
+) -> None:
+    wall, projector = (lead.context.new_page() for _ in range(2))
+    wall.goto(f"http://{server.host}/?wall")
+    projector.goto(f"http://{server.host}/?projector")
+    for page in (wall, projector):
+        page.wait_for_selector(".notices", state="attached")
+    lead.page.click("#tab-lead")
+    lead.page.fill("#broadcast-text", "Read <b>page 4</b>")
+    lead.page.click("button:text('Send to all')")
+    for page in (lead.page, student_.page, wall, projector):
+        page.wait_for_selector(".announced:not([hidden]) .what")
+        assert page.text_content(".announced .what") == "Read <b>page 4</b>"
+        assert page.get_attribute(".announced", "role") == "alert"
+    assert not student_.page.locator(".announced .seen").count()
+    assert student_.page.locator("#panic, #control-button").first.is_visible()
+    seen = "document.querySelector('.announced .seen').textContent"
+    lead.until(f"/^Seen by 1 of [12], closed by 0$/.test({seen})")
+    student_.page.click(".announced .close")
+    assert student_.page.locator(".announced").is_hidden()
+    lead.until(f"/^Seen by 1 of [12], closed by 1$/.test({seen})")
+    late = student(lead.context.browser, server, "Late")  # pyright: ignore[reportArgumentType]
+    late.until(SHOWN)
+    student_.page.reload()
+    student_.until("Boolean(window.vrts?.world?.state)")
+    assert student_.page.locator(".announced").is_hidden(), "it stays closed"
+    lead.page.click("button:text('Take it down')")
+    for page in (late.page, wall, projector):
+        page.wait_for_selector(".announced", state="hidden")
+    for one in (late.context,):
+        one.close()
+    wall.close()
+    projector.close()
+
+
+STOPPED = "document.querySelector('.stopped:not([hidden], .waits)')?.textContent ?? ''"
+
+
+def test_everybody_sees_who_stopped_the_arm_and_how_to_go_on(lead: Desk, student_: Desk) -> None:
+    student_.page.click("#control-button")
+    student_.until("vrts.store.operator")
+    viewer = "the viewer has no button that the server would refuse"
+    for id_ in ("hand-open", "hand-close", "ready", "terminal-line", "terminal-interrupt"):
+        assert lead.page.is_disabled(f"#{id_}"), viewer
+        assert "take control first" in (lead.page.get_attribute(f"#{id_}", "title") or "")
+    student_.page.click("#panic")
+    student_.until(f"{STOPPED}.includes('You pressed PANIC')")
+    assert "RETRY" in student_.value(STOPPED)
+    lead.until(f"{STOPPED}.includes('Berta')")
+    assert "with control" in lead.value(STOPPED)
+    assert lead.value("document.querySelector('.stopped .badge').textContent") == "operator"
+    lead.page.click("#tab-lead")
+    lead.page.click("#lead-freeze")
+    student_.until("document.getElementById('hand-open').title.includes('frozen')")
+    student_.until(f"{STOPPED}.includes('goes on when they unfreeze it')")
+    lead.page.click("#lead-freeze")
+    student_.until("!document.getElementById('hand-open').disabled")
+    student_.page.click("#tab-monitor")
+    student_.type("DO DRIVE 1,10,100")
+    for one in (student_, lead):
+        one.page.wait_for_selector(".stopped", state="hidden")
+
+
+def test_the_empty_line_says_what_the_monitor_waits_for(student_: Desk) -> None:
+    hint = "document.getElementById('terminal-line').placeholder"
+    student_.until("vrts.store.now.status.mode === 'idle'")
+    student_.until(f"{hint}.startsWith('WHERE')")
+    for line, expected in (
+        ("POINT p1", "Up to six numbers"),
+        ("", "WHERE"),
+        ("TEACH p", "R records"),
+        ("", "WHERE"),
+        ("EDIT pick", "A step"),
+        ("E", "WHERE"),
+        ("ZERO", "Y to do it"),
+        ("N", "WHERE"),
+    ):
+        student_.type(line)
+        student_.until(f"{hint}.startsWith('{expected}')")

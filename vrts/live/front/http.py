@@ -147,8 +147,9 @@ class Pages:
         return answer
 
     def _me(self, account: Account) -> Response:
-        alone = self._hub.settings.alone
-        return as_json(Me(account.name, account.supervisor, self._hub.entries(account), alone))
+        settings = self._hub.settings
+        rooms, may_reset = self._hub.entries(account), settings.students_reset
+        return as_json(Me(account.name, account.supervisor, rooms, settings.alone, may_reset))
 
 
 def _file_name(room: str) -> str:

@@ -63,6 +63,13 @@ class Say(Strict, frozen=True, tag="say"):
     to: Id = ""  # supervisors may answer one person privately
 
 
+class Noticed(Strict, frozen=True, tag="noticed"):
+    """The announcement is on the screen, or was closed there."""
+
+    id: Annotated[int, Meta(ge=1, le=2**53)]
+    closed: bool = False
+
+
 class AskReach(Strict, frozen=True, tag="reach"):
     """Ask whether the tool can go somewhere; answered by `Reach`."""
 

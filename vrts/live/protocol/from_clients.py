@@ -7,6 +7,7 @@ from vrts.live.protocol.from_anybody import (
     GoOnFrom,
     HandBack,
     Join,
+    Noticed,
     Panic,
     RaiseHand,
     RequestControl,
@@ -17,6 +18,7 @@ from vrts.live.protocol.from_supervisors import (
     Allow,
     Broadcast,
     CloseRoom,
+    EndAnnouncement,
     ExportLog,
     Freeze,
     GoOn,
@@ -42,6 +44,7 @@ FromClient = (
     | HandBack
     | RaiseHand
     | Say
+    | Noticed
     | AskReach
     | AskProgram
     | GoOnFrom
@@ -59,6 +62,7 @@ FromClient = (
     | MakeRooms
     | CloseRoom
     | Broadcast
+    | EndAnnouncement
     | WatchWall
     | Project
     | ExportLog

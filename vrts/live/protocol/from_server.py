@@ -166,6 +166,27 @@ class ClassCode(Message, frozen=True, tag="code"):
     url: str  # that lets in by it
 
 
+class Announced(Message, frozen=True, tag="announced"):
+    """What a supervisor has announced, until it is taken down; a later one replaces it."""
+
+    id: int  # 0: nothing is announced
+    at: float = 0.0  # Unix time [s]
+    name: str = ""  # who announced it
+    text: str = ""
+    seen: int = 0  # people here who have it on a screen; told to supervisors only, as what follows
+    closed: int = 0  # people here who have closed it
+    people: int = 0  # how many are here, supervisors aside
+
+
+class Stopped(Message, frozen=True, tag="stopped"):
+    """Somebody pressed PANIC, and the arm was stopped; over when it moves again."""
+
+    at: float  # Unix time [s]; 0: that is over
+    person: str = ""  # id
+    name: str = ""
+    role: Role | None = None
+
+
 class LogFile(Message, frozen=True, tag="log_file"):
     """Where a log can be fetched, with the cookie."""
 
@@ -198,6 +219,8 @@ FromServer = (
     | Wall
     | Rooms
     | ClassCode
+    | Announced
+    | Stopped
     | LogFile
     | Closed
 )

@@ -101,10 +101,14 @@ class CloseRoom(Strict, frozen=True, tag="close_room"):
 
 
 class Broadcast(Strict, frozen=True, tag="broadcast"):
-    """Supervisor: a message, a scene, or both, to all rooms."""
+    """Supervisor: a message, a scene, or both, to all rooms; the message is announced."""
 
     text: Text = ""
     scene: Id = ""
+
+
+class EndAnnouncement(Strict, frozen=True, tag="end_announcement"):
+    """Supervisor: take the announcement down, on every page."""
 
 
 class WatchWall(Strict, frozen=True, tag="watch_wall"):

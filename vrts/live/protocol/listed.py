@@ -54,4 +54,5 @@ class WallRow(msgspec.Struct, frozen=True):
     alive: bool  # the session process runs
     scene_url: str = ""  # what is to be drawn; empty: not there yet
     hand_m: float = 0.0  # opening
+    stopped: str = ""  # who pressed PANIC; empty: nobody, or it has moved since
     bodies: tuple[msgspec.Raw, ...] = ()  # how each movable body lies: `session.messages.Placed`

@@ -93,6 +93,7 @@ class Me(msgspec.Struct, frozen=True):
     supervisor: bool
     rooms: tuple[RoomEntry, ...]
     alone: bool = False  # there is nobody else
+    students_reset: bool = False  # operators may reset and rewind
 
 
 class Problem(msgspec.Struct, frozen=True):

@@ -84,6 +84,10 @@ def settle(hub: Hub, room: Room, state: bytes) -> None:
         member.send(text_frame(encode(room.control_for(member))))
         if room.waits is not None:
             member.send(text_frame(encode(room.waits_for(member))))
+        if hub.announcement is not None:
+            member.send(text_frame(encode(hub.announced(member))))
+        if room.stopped is not None:
+            member.send(text_frame(encode(room.stopped)))
         all_rooms = Rooms(hub.entries(member.account), hub.projector)
         member.send(text_frame(encode(all_rooms)))
         if member.supervisor:

@@ -2,14 +2,15 @@
 
 import asyncio
 import logging
-from collections.abc import Coroutine
+from collections.abc import Callable, Coroutine
 from typing import Any
 
 from vrts.live.door import text_frame
 from vrts.live.entrance.ways_in import WaysIn
+from vrts.live.notices.announcement import Announcement
 from vrts.live.passwords import Passwords
 from vrts.live.protocol.coding import encode
-from vrts.live.protocol.from_server import ClassCode, Rooms
+from vrts.live.protocol.from_server import Announced, ClassCode, Rooms
 from vrts.live.protocol.listed import RoomEntry
 from vrts.live.rooms.member import Member
 from vrts.live.rooms.room import Room
@@ -35,6 +36,7 @@ class Hub:
         self.muted: Bars = {}  # accounts that are not heard, with the names they had then
         self.ways = WaysIn(settings.folder, database, address, has_code=with_code)
         self.ways.changed = self.code_changed
+        self.announcement: Announcement | None = None
         self.passwords = Passwords()
         self.projector = ""
         self.branching: set[int] = set()  # accounts whose private rooms are being made
@@ -72,6 +74,20 @@ class Hub:
         for member in self.everybody():
             if member.supervisor:
                 member.send(frame)
+
+    def show_announcement(self, *, only: Callable[[Member], bool] = lambda _: True) -> None:
+        """Tell everybody, or some, what is announced; supervisors how many have seen it too."""
+        for member in self.everybody():
+            if only(member):
+                member.send(text_frame(encode(self.announced(member))))
+
+    def announced(self, member: Member) -> Announced:
+        """Return what is announced, as somebody may know it."""
+        if self.announcement is None:
+            return Announced(0)
+        present = (m for m in self.everybody() if m.door is not None and not m.supervisor)
+        here = {m.account.id for m in present} if member.supervisor else None
+        return self.announcement.message(here)
 
     def everybody(self) -> list[Member]:
         """Return all members of all rooms."""

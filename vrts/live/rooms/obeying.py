@@ -16,6 +16,7 @@ from vrts.live.protocol.from_anybody import (
     GoOnFrom,
     HandBack,
     Join,
+    Noticed,
     Panic,
     RaiseHand,
     RequestControl,
@@ -77,6 +78,9 @@ async def obey(hub: Hub, sessions: Sessions, member: Member, message: FromClient
             room.tell_people_soon()
         case Say():
             await _say(hub, room, member, message, now)
+        case Noticed():
+            if hub.announcement is not None and hub.announcement.id == message.id:
+                hub.announcement.noticed(member.account.id, closed=message.closed)
         case AskReach():
             _ask_reach(room, member, message, now)
         case AskProgram():

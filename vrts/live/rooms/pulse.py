@@ -30,6 +30,9 @@ async def pulse(hub: Hub) -> None:
         if now >= wall_due:
             wall_due = now + 1.0
             show_wall(hub)
+            if hub.announcement is not None and hub.announcement.changed:
+                hub.announcement.changed = False
+                hub.show_announcement(only=lambda member: member.supervisor)
             _keep_reached(hub)
             await _send_purged_away(hub)
             await end_empty(hub)

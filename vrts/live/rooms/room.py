@@ -13,7 +13,7 @@ from vrts.live.door import binary_frame, text_frame
 from vrts.live.looking.blocks import Blocks
 from vrts.live.protocol.coding import encode
 from vrts.live.protocol.fields import Role
-from vrts.live.protocol.from_server import Chat, Control, Message, NoSession, Now, People
+from vrts.live.protocol.from_server import Chat, Control, Message, NoSession, Now, People, Stopped
 from vrts.live.protocol.listed import Person, RoomEntry
 from vrts.live.rooms.audience import EVERYBODY, Audience
 from vrts.live.rooms.control import ControlRight
@@ -74,6 +74,7 @@ class Room:
     placed: dict[str, msgspec.Raw] = field(default_factory=dict[str, msgspec.Raw])  # by body
     pace: int = FULL_RATE  # pose frames a second that the session makes
     unheard: str = ""  # the last command that the session has not answered when it died
+    stopped: Stopped | None = None  # by PANIC, and has not moved since
     halting: bool = False  # a panic is on its way
     frame: bytes = b""  # the last pose frame; empty: session time is another one since
     branch: Branch | None = None  # what makes it a private one
@@ -248,6 +249,11 @@ class Room:
         """Have everybody told soon who is here."""
         self.crowd_changed = self.crowd_changed or time.time()
 
+    def show_stopped(self, stopped: Stopped | None) -> None:
+        """Tell everybody that somebody has stopped the arm, or that this is over."""
+        self.stopped = stopped
+        self.show(stopped or Stopped(0.0))
+
     def show_people(self, muted: Bars) -> None:
         """Tell everybody who is here."""
         self.crowd_changed = 0.0
@@ -275,6 +281,11 @@ class Room:
             tuple(sorted(set(self.barred.values()))) if rates else (),
             tuple(sorted(set(muted.values()))) if rates else (),
         )
+
+    def role_of(self, person: str) -> Role | None:
+        """Return what somebody may do here, None when they are gone."""
+        member = self.members.get(person)
+        return None if member is None else self.role(member)
 
     def role(self, member: Member) -> Role:
         """Return what somebody may do here."""

@@ -13,6 +13,7 @@ import msgspec
 from vrts import __version__
 from vrts.live.logs.logged_sessions import JUMPS, LogFault
 from vrts.live.logs.unfinished import Unfinished, unfinished
+from vrts.live.notices.stopping import moves
 from vrts.live.protocol.coding import encode
 from vrts.live.protocol.from_server import (
     Happened,
@@ -22,6 +23,7 @@ from vrts.live.protocol.from_server import (
     Refused,
     Result,
     State,
+    Stopped,
 )
 from vrts.live.refusal import NotObeyed
 from vrts.live.rooms.again.deaths import Deaths
@@ -208,6 +210,8 @@ class Sessions:
         match head.type:
             case "status":
                 room.show_status(message)
+                if room.stopped is not None and moves(message):
+                    room.show_stopped(None)
             case "done":
                 self._done(room, head, message)
             case "reached":
@@ -265,6 +269,8 @@ class Sessions:
             return
         if asked.kind == "panic":
             room.halting = False
+            role = room.role_of(asked.person)
+            room.show_stopped(Stopped(time.time(), asked.person, asked.name, role))
         if asked.kind in JUMPS:
             room.frame = b""
         if asked.kind == "keep":
@@ -300,6 +306,8 @@ class Sessions:
         """Tell that there is no session now, and those who wait for answers that none will come."""
         asked, room.asked = room.asked, {}
         room.halting = False
+        if room.stopped is not None:
+            room.show_stopped(None)
         if (reached := room.reached) is not None:  # later than what the pulse has kept
             self._hub.spawn(self._hub.database.do(lambda c: keep_reached(c, (reached,))))
         room.status = room.frame = b""

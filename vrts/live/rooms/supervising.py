@@ -3,11 +3,13 @@
 import time
 
 from vrts.live.names import display_name, readable
+from vrts.live.notices.announcement import next_announcement
 from vrts.live.protocol.from_server import LogFile
 from vrts.live.protocol.from_supervisors import (
     Allow,
     Broadcast,
     CloseRoom,
+    EndAnnouncement,
     ExportLog,
     Freeze,
     GoOn,
@@ -50,6 +52,7 @@ Supervision = (
     | MakeRooms
     | CloseRoom
     | Broadcast
+    | EndAnnouncement
     | WatchWall
     | Project
     | ExportLog
@@ -102,6 +105,9 @@ async def supervise(
             await close(hub, closed)
         case Broadcast():
             await _broadcast(hub, sessions, member, message)
+        case EndAnnouncement():
+            hub.announcement = None
+            hub.show_announcement()
         case WatchWall():
             member.wall = message.on
         case Project():
@@ -208,6 +214,10 @@ async def _make_rooms(hub: Hub, sessions: Sessions, message: MakeRooms) -> None:
 
 async def _broadcast(hub: Hub, sessions: Sessions, member: Member, message: Broadcast) -> None:
     text = readable(message.text)
+    if text:
+        name = member.account.name
+        hub.announcement = next_announcement(hub.announcement, time.time(), name, text)
+        hub.show_announcement()
     for room in list(hub.rooms.values()):
         if text:
             await say(hub, room, member, text, EVERYBODY, None)

@@ -77,5 +77,6 @@ def _row(room: Room) -> WallRow:
         alive=room.process is not None and room.process.ready,
         scene_url=room.scene_url,
         hand_m=status.hand_m,
+        stopped=room.stopped.name if room.stopped else "",
         bodies=tuple(room.placed.values()),
     )

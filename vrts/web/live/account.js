@@ -1,6 +1,6 @@
 // Who one is: by cookie, join link, class code, or account.
 
-/** @typedef {{name: string, supervisor: boolean, alone: boolean, rooms: import("./protocol.js").RoomEntry[]}} Me */
+/** @typedef {{name: string, supervisor: boolean, alone: boolean, students_reset: boolean, rooms: import("./protocol.js").RoomEntry[]}} Me */
 
 /** What the server said when it let nobody in. */
 export class Denied extends Error {

@@ -44,6 +44,8 @@ export class Intake {
       case "wall": store.set({ wall: message.rooms, projector: message.projector }); break;
       case "rooms": this.rooms(message); break;
       case "code": store.set({ code: { code: message.code, url: message.url } }); break;
+      case "announced": store.set({ announced: message.id ? /** @type {any} */ (message) : null }); break;
+      case "stopped": store.set({ stopped: message.at ? /** @type {any} */ (message) : null }); break;
       case "refused": this.heard.refused(message); break;
     }
   }

@@ -10,6 +10,7 @@ export const FROM_CLIENT = {
   hand_back: [],
   raise_hand: ["up"],
   say: ["text", "private", "to"],
+  noticed: ["id", "closed"],
   reach: ["of", "position_m", "oat_rad", "straight"],
   program: ["of", "name"],
   go_on_from: ["of", "at_s"],
@@ -27,6 +28,7 @@ export const FROM_CLIENT = {
   make_rooms: ["rooms"],
   close_room: ["room"],
   broadcast: ["text", "scene"],
+  end_announcement: [],
   watch_wall: ["on"],
   project: ["room"],
   export_log: ["of", "room"],
@@ -69,6 +71,8 @@ export const FROM_SERVER = {
   wall: ["rooms", "projector"],
   rooms: ["rooms", "projector"],
   code: ["code", "url"],
+  announced: ["id", "at", "name", "text", "seen", "closed", "people"],
+  stopped: ["at", "person", "name", "role"],
   log_file: ["of", "url"],
   closed: ["code", "text"],
 };
@@ -104,6 +108,8 @@ export const LONGEST_CHAT = 1000; // characters
  *   role: "viewer"|"operator"|"supervisor"|null}} Chat
  * @typedef {{holder: string, lease: string, queue: string[], locked: boolean, frozen: boolean, chat: boolean,
  *   turn_s: number, idle_s: number, ends: number}} Control
+ * @typedef {{id: number, at: number, name: string, text: string, seen: number, closed: number, people: number}} Announced
+ * @typedef {{at: number, person: string, name: string, role: "viewer"|"operator"|"supervisor"|null}} Stopped
  * @typedef {{time_s: number, joints_rad: number[], location: number[], hand_m: number, program: string, mode: string,
  *   step: number, line: number, text: string, speed: number, signals: number[], held: string, prompt: string,
  *   contacts: number, checked_s: number, mark: number | null, tool: number[], total: number}} Status
@@ -130,7 +136,7 @@ export const LONGEST_CHAT = 1000; // characters
  *   way?: "free"|"touches"|"unknown"|"", touches?: WayTouch[], path_m?: number[], method?: string}} Reached
  * @typedef {{id: string, name: string, scene: string, scene_url?: string, task: string, operator: string, people: number, hands: string[],
  *   queue: number, time_s: number, line: string, contacts: number, mark: number | null, joints_rad: number[],
- *   alive: boolean, hand_m: number, bodies: Placed[]}} WallRow
+ *   alive: boolean, hand_m: number, stopped: string, bodies: Placed[]}} WallRow
  */
 
 /**

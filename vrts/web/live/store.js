@@ -7,6 +7,7 @@
  * @property {string} you id of one's own person
  * @property {string} name
  * @property {boolean} supervisor
+ * @property {boolean} resets whether every operator may reset and rewind
  * @property {boolean} alone whether there is nobody else to come
  * @property {import("./protocol.js").RoomEntry | null} room
  * @property {import("./protocol.js").RoomEntry[]} rooms
@@ -31,14 +32,16 @@
  * @property {string} output the end of what the monitor shows
  * @property {import("./protocol.js").WallRow[]} wall
  * @property {{code: string, url: string}} code the class code that works now, for supervisors
+ * @property {import("./protocol.js").Announced | null} announced what stands on top of every page
+ * @property {import("./protocol.js").Stopped | null} stopped who stopped the arm, until it moves again
  */
 
 /** @returns {Known} */
 function nothing() {
   return {
-    connection: "connecting", ended: "", you: "", name: "", supervisor: false, alone: false, room: null, rooms: [], projector: "",
+    connection: "connecting", ended: "", you: "", name: "", supervisor: false, alone: false, resets: false, room: null, rooms: [], projector: "",
     scenes: [], session: -1, sceneUrl: "", alive: false, noSession: null, people: [], barred: [], muted: [], chat: [], status: null, programs: [],
-    contacts: [], near: [], events: [], output: "", task: null, marked: null, wall: [], code: { code: "", url: "" },
+    contacts: [], near: [], events: [], output: "", task: null, marked: null, wall: [], announced: null, stopped: null, code: { code: "", url: "" },
     control: { holder: "", lease: "", queue: [], locked: false, frozen: false, chat: true, turn_s: 0, idle_s: 0, ends: 0 },
   };
 }

@@ -104,6 +104,7 @@ SUPERVISION: list[dict[str, Any]] = [
     {"type": "make_rooms", "rooms": [{"name": "x", "scene": "cans-on-bases"}]},
     {"type": "close_room", "room": "x"},
     {"type": "broadcast", "text": "x"},
+    {"type": "end_announcement"},
     {"type": "watch_wall", "on": True},
     {"type": "project", "room": "x"},
     {"type": "export_log", "of": 1, "room": "x"},

@@ -1,6 +1,7 @@
 // The projector: the picture alone, large, of the room that the supervisor chooses.
 
 import { byId, make, write } from "../dom.js";
+import { barOf, mountNotices } from "../notices.js";
 import { mountOverlay } from "../panels/overlay.js";
 import { mountSettings } from "../panels/settings.js";
 import { mountStatus } from "../panels/status.js";
@@ -16,6 +17,7 @@ export function showProjector(me) {
   document.body.classList.add("projector");
   const app = started("", true);
   app.store.set({ name: me.name, supervisor: me.supervisor });
+  mountNotices(barOf("room"), app, { counts: false });
   mountOverlay(app);
   mountStatus(app);
   mountSettings(app);

@@ -7,6 +7,7 @@ import { Intake } from "../intake.js";
 import { bindKeys } from "../keys.js";
 import { mountLayout } from "../layout/mount.js";
 import { mountSelection } from "../selection.js";
+import { barOf, mountNotices } from "../notices.js";
 import { Store } from "../store.js";
 import { Toasts } from "../toasts.js";
 import { World } from "../world.js";
@@ -47,7 +48,13 @@ import { mountViews } from "../panels/views.js";
 export function showRoom(me, wanted) {
   byId("room").hidden = false;
   const app = started(wanted, false);
-  app.store.set({ name: me.name, supervisor: me.supervisor, alone: me.alone, rooms: me.rooms });
+  app.store.set({ name: me.name, supervisor: me.supervisor, alone: me.alone, resets: me.students_reset, rooms: me.rooms });
+  const notices = mountNotices(barOf("room"), app);
+  const { panic } = app;
+  app.panic = () => {
+    notices.pressed();
+    panic();
+  };
   mountTop(app);
   mountViews(app, mountLayout());
   mountSelection(app.world);

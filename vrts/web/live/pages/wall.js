@@ -5,6 +5,7 @@ import { Connection, Refusal } from "../connection.js";
 import { byId, button, figure, make, write } from "../dom.js";
 import { Intake } from "../intake.js";
 import { isolated } from "../names.js";
+import { barOf, mountNotices } from "../notices.js";
 import { mountEntrance } from "../panels/entrance.js";
 import { Store } from "../store.js";
 import { Toasts } from "../toasts.js";
@@ -40,6 +41,8 @@ export function showWall(me) {
     state: (state, why) => store.set({ connection: state, ended: why ?? "" }),
   });
   connection.rate = 1;
+  store.set({ supervisor: true });
+  mountNotices(barOf("wall"), { store, connection });
   const stills = new Stills();
   /** @type {Map<string, Card>} */
   const cards = new Map();
@@ -96,6 +99,7 @@ class Card {
     this.tags.replaceChildren(
       ...row.hands.map((name) => make("span", { class: "tag review" }, isolated(name), " raises a hand")),
       ...(projected ? [make("span", { class: "tag", text: "on the projector" })] : []),
+      ...(row.stopped ? [make("span", { class: "tag review" }, "stopped by ", isolated(row.stopped))] : []),
       ...(row.alive ? [] : [make("span", { class: "tag quiet", text: "does not run" })]),
     );
   }

@@ -1,5 +1,6 @@
 // Open, close, ready; and everything that only the operator may press.
 
+import { COMMANDING, allow, whyNoCommand } from "../allowed.js";
 import { byId } from "../dom.js";
 
 /** @param {import("../pages/room.js").App} app */
@@ -7,9 +8,8 @@ export function mountButtons({ store, act }) {
   byId("hand-open").addEventListener("click", () => act({ type: "hand", open: true }));
   byId("hand-close").addEventListener("click", () => act({ type: "hand", open: false }));
   byId("ready").addEventListener("click", () => act({ type: "ready" }));
-  store.on(["control", "you", "connection"], () => {
-    const may = store.operator && store.now.connection === "open";
-    for (const id of ["hand-open", "hand-close", "ready"]) byId(id).disabled = !may;
+  store.on(COMMANDING, () => {
+    for (const id of ["hand-open", "hand-close", "ready"]) allow(byId(id), whyNoCommand(store.now));
     byId("watching").hidden = store.operator;
   });
 }

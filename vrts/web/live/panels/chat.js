@@ -1,5 +1,6 @@
 // Chat with everybody, or with the supervisors only.
 
+import { allow } from "../allowed.js";
 import { byId, choice, make, onSubmit } from "../dom.js";
 import { badges, inText, isolated } from "../names.js";
 import { LONGEST_CHAT } from "../protocol.js";
@@ -35,7 +36,8 @@ export function mountChat({ store, connection, toasts }) {
     const spoken = chat.at(-1);
     const speaker = store.now.people.find(({ id }) => id === spoken?.person);
     const heard = !spoken?.name || (speaker?.role === "supervisor" && speaker.id !== you && panel.hidden);
-    if (spoken && newest > last && last && heard) toasts.tell(spoken.name ? `${inText(spoken.name)}: ${spoken.text}` : spoken.text);
+    const stands = spoken?.text === store.now.announced?.text; // on top of the page already
+    if (spoken && !stands && newest > last && last && heard) toasts.tell(spoken.name ? `${inText(spoken.name)}: ${spoken.text}` : spoken.text);
     last = Math.max(newest, last || 1);
   });
   document.addEventListener("panel", () => (list.scrollTop = list.scrollHeight));
@@ -50,7 +52,7 @@ export function mountChat({ store, connection, toasts }) {
     off.textContent = muted ? "The supervisor has muted you." : "The supervisor has turned the chat off.";
     off.hidden = control.chat && !muted;
     form.hidden = !supervisor && (!control.chat || muted);
-    field.disabled = send.disabled = state !== "open";
+    for (const one of [field, send]) allow(one, state === "open" ? "" : "There is no connection at the moment.");
   });
 }
 

@@ -1,5 +1,6 @@
 // What happened: contacts, near misses and events by time; back to an earlier moment.
 
+import { COMMANDING, allow, whyNoCommand } from "../allowed.js";
 import { byId, button, make, onSubmit } from "../dom.js";
 import { look } from "../looking.js";
 
@@ -58,9 +59,9 @@ export function mountHistory({ store, world, command, toasts }) {
     body.replaceChildren(...rows.map((row) => make("tr", { class: row.kind, "data-time": row.t.toFixed(1), "data-at": row.t },
       make("td", { class: "time" }, make("button", { type: "button", class: "moment", text: `${row.t.toFixed(1)} s`, title: "Look at this moment" })), make("td", {}, ...breakable(row.text)), make("td", { class: "time", text: row.line }))));
   }
-  store.on(["control", "you", "connection"], () => {
-    const may = store.operator && store.now.connection === "open";
-    reset.disabled = back.disabled = !may;
+  store.on([...COMMANDING, "supervisor", "alone", "resets"], ({ supervisor, alone, resets }) => {
+    const why = whyNoCommand(store.now) || (supervisor || alone || resets ? "" : "Only a supervisor may reset or rewind here.");
+    for (const one of [reset, back]) allow(one, why);
   });
 }
 

@@ -1,6 +1,8 @@
 // The monitor: a command line with history and completion, and what the terminal shows.
 
+import { COMMANDING, allow, whyNoCommand } from "../allowed.js";
 import { byId, make, onSubmit, write } from "../dom.js";
+import { hintFor } from "./monitor_questions.js";
 import { common, completions, namesIn } from "./monitor_words.js";
 
 const MOST_HISTORY = 200;
@@ -23,11 +25,13 @@ export function mountMonitor({ store, act, command, toasts }) {
     if (below) output.scrollTop = output.scrollHeight;
   });
   store.on(["status"], ({ status }) => write(byId("terminal-prompt"), status?.prompt || "·"));
-  store.on(["control", "you", "connection"], () => {
-    const may = store.operator && store.now.connection === "open";
-    field.disabled = !may;
-    byId("terminal-interrupt").disabled = !may;
-    field.placeholder = may ? "WHERE, DO MOVE …, EXECUTE …  (Tab completes)" : "Only the person with control types here";
+  store.on([...COMMANDING, "status"], () => {
+    const why = whyNoCommand(store.now);
+    allow(field, why);
+    allow(byId("terminal-interrupt"), why);
+    const { status } = store.now;
+    const hint = why || hintFor(status?.prompt ?? "", status !== null);
+    if (field.placeholder !== hint) field.placeholder = hint;
   });
   byId("terminal-interrupt").addEventListener("click", () => act({ type: "interrupt" }));
 

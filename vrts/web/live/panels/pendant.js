@@ -1,5 +1,6 @@
 // The teach pendant: joints, world, tool; in steps, or as long as a key is held.
 
+import { COMMANDING, allow, whyNoCommand } from "../allowed.js";
 import { byId, button, choice, figure, make, write } from "../dom.js";
 import { HeldKey } from "./held.js";
 
@@ -113,7 +114,7 @@ export function mountPendant(app) {
     else if (event.key === "+" || event.key === "-") {
       size = Math.min(Math.max(size + (event.key === "+" ? 1 : -1), 0), STEPS_MM.length - 1);
       step.value = String(size);
-    } else if (axis >= 0 && store.operator) {
+    } else if (axis >= 0 && !whyNoCommand(store.now)) {
       const way = plus >= 0 ? 1 : -1;
       if (!hold) stepOnce(axis, way);
       else if (!event.repeat) key.press({ frame, axis, way, speed: Number(speed.value) });
@@ -122,11 +123,11 @@ export function mountPendant(app) {
   });
   panel.addEventListener("keyup", () => key.release());
 
-  store.on(["control", "you", "connection"], () => {
-    const may = store.operator && store.now.connection === "open";
-    for (const { keys } of rows) for (const one of keys) one.disabled = !may;
-    record.disabled = !may;
-    if (!may && key.down) key.release();
+  store.on(COMMANDING, () => {
+    const why = whyNoCommand(store.now);
+    for (const { keys } of rows) for (const one of keys) allow(one, why);
+    allow(record, why);
+    if (why && key.down) key.release();
   });
   store.on(["status"], values);
   world.watchers.push(() => frame === "joint" && !panel.hidden && values());

@@ -1,5 +1,6 @@
 // The virtual pointer in its tab: a new one for every scene.
 
+import { COMMANDING, whyNoCommand } from "../allowed.js";
 import { byId } from "../dom.js";
 import { VirtualPointer } from "../pointer.js";
 
@@ -32,14 +33,14 @@ export function mountPointing({ store, connection, world, command }) {
   function appear() {
     if (world.state && pointer?.wanted && !pointer.visible && !panel.hidden) pointer.show(true);
   }
-  store.on(["control", "you", "connection"], may);
+  store.on(COMMANDING, may);
   store.on(["status"], ({ status }) => {
     if (status?.mode === "idle" && pointer?.visible && before !== status.mode) pointer.askAgain();
     before = status?.mode ?? "";
   });
 
   function may() {
-    const why = store.now.connection !== "open" ? "no connection" : store.operator ? "" : "only the person with control can go there";
+    const why = whyNoCommand(store.now);
     pointer?.enable(!why, why);
   }
 }

@@ -1,5 +1,6 @@
 // Programs in memory with the line at work lit; upload; what was done, as a program.
 
+import { COMMANDING, allow, whyNoCommand } from "../allowed.js";
 import { byId, button, download, make, onSubmit, write } from "../dom.js";
 import { LONGEST_PROGRAM } from "../protocol.js";
 
@@ -106,7 +107,7 @@ export function mountPrograms({ store, connection, command, act, toasts }) {
     light();
     may();
   });
-  store.on(["control", "you", "connection"], may);
+  store.on(COMMANDING, may);
 
   function light() {
     const { status } = store.now;
@@ -123,11 +124,12 @@ export function mountPrograms({ store, connection, command, act, toasts }) {
   }
 
   function may() {
-    const operates = store.operator && store.now.connection === "open";
+    const why = whyNoCommand(store.now);
     const mode = store.now.status?.mode ?? "";
-    run.disabled = !operates || !chosen || ["running", "waiting"].includes(mode);
-    stop.disabled = !operates || !["running", "waiting"].includes(mode);
-    proceed.disabled = !operates || mode !== "stopped";
-    save.disabled = file.disabled = !operates;
+    const runs = ["running", "waiting"].includes(mode);
+    allow(run, why || (runs ? "A program runs already." : chosen ? "" : "There is no program in memory yet."));
+    allow(stop, why || (runs ? "" : "No program runs."));
+    allow(proceed, why || (mode === "stopped" ? "" : "No program is stopped."));
+    for (const one of [save, file]) allow(one, why);
   }
 }
