@@ -29,8 +29,14 @@ class Seats:
         self._most = most
         self._of: dict[int, Seat] = {}
         self._begun: dict[int, Bucket] = {}
-        self._folder = TemporaryDirectory(prefix="vrts-editing-")
-        self.folder = self._folder.name  # stays empty
+        self._folder: TemporaryDirectory[str] | None = None
+
+    @property
+    def folder(self) -> str:
+        """A folder that stays empty."""
+        if self._folder is None:
+            self._folder = TemporaryDirectory(prefix="vrts-editing-")
+        return self._folder.name
 
     def take(self, account: int) -> Seat | None:
         """Return a seat; None where all are given to others, or somebody begins too often."""
@@ -56,4 +62,5 @@ class Seats:
         """Take all seats back."""
         for seat in self._of.values():
             seat.taken.set()
-        self._folder.cleanup()
+        if self._folder is not None:
+            self._folder.cleanup()
