@@ -93,6 +93,7 @@ class _Action(msgspec.Struct, frozen=True, rename="camel"):
     title: str
     is_preferred: bool = False
     edit: _Changes | None = None
+    diagnostics: list[_Diagnostic] = []
 
 
 class Answer(msgspec.Struct, frozen=True):
@@ -150,9 +151,14 @@ def answered(asked: Asked, result: msgspec.Raw) -> bytes:
 
 
 def _remedies(actions: list[_Action]) -> list[dict[str, Any]]:
-    """Return what changes the one text."""
+    """Return what changes the one text, and where that is wrong which it mends."""
     return [
-        {"title": one.title, "preferred": one.is_preferred, "edits": edits}
+        {
+            "title": one.title,
+            "preferred": one.is_preferred,
+            "edits": edits,
+            "range": one.diagnostics[0].range if one.diagnostics else None,
+        }
         for one in actions
         if one.edit is not None and (edits := one.edit.changes.get(ADDRESS))
     ]

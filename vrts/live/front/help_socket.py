@@ -17,7 +17,7 @@ from vrts.live.front.guard import refused
 from vrts.live.limits import Bucket
 from vrts.live.store.accounts import Account
 
-RATE: Final = (25.0, 60.0)  # messages a second, and at once
+RATE: Final = (40.0, 120.0)  # messages a second, and at once
 MOST_ASKED: Final = 16  # questions that wait for their answers
 MOST_BAD: Final = 20  # messages that mean nothing, after which a connection ends
 PATIENCE_S: Final = 20.0  # for an answer

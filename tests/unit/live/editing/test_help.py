@@ -81,6 +81,7 @@ def test_a_program_is_checked_completed_explained_and_mended(server: LiveServer)
         assert "did you mean `MOVE`?" in found["message"]
         (fix,) = editor.ask("codeAction", range={"start": AT, "end": AT})
         assert [edit["newText"] for edit in fix["edits"]] == ["MOVE"]
+        assert fix["range"] == found["range"]
         editor.change(RIGHT)
         assert not [one for one in editor.findings() if one["severity"] == 1]
         assert "APPRO" in editor.at("hover", 2, 4)["contents"]["value"]
@@ -172,7 +173,7 @@ def test_seats_are_few_and_begun_seldom() -> None:
 def test_a_flood_ends_the_connection_and_its_process(server: LiveServer) -> None:
     with link(server, server.enter("Eve")) as socket:
         editor = Editor(socket, RIGHT)
-        for number in range(200):
+        for number in range(400):
             editor.send("textDocument/hover", id=number + 1, position=AT)
         assert editor.closed() == "limit"
     assert ends(server)

@@ -13,6 +13,7 @@ import { Toasts } from "../toasts.js";
 import { World } from "../world.js";
 import { backToLive } from "../looking.js";
 import { mountPast } from "../past/past.js";
+import { mountEditor } from "../editor/panel.js";
 import { mountButtons } from "../panels/buttons.js";
 import { mountChat } from "../panels/chat.js";
 import { mountEntrance } from "../panels/entrance.js";
@@ -68,6 +69,7 @@ export function showRoom(me, wanted) {
   mountPendant(app);
   mountPointing(app);
   mountPrograms(app);
+  mountEditor(app);
   mountHistory(app);
   mountChat(app);
   mountPeople(app);

@@ -1,0 +1,333 @@
+// The workbench: what is open, saving and its versions, loading and running, around the editor.
+
+import { byId, button, make, write } from "../dom.js";
+import { LONGEST_PROGRAM } from "../protocol.js";
+import { light } from "./at_work.js";
+import { asked } from "./asking.js";
+import { brokenLines } from "./breakpoints.js";
+import { mark } from "./diagnostics.js";
+import { keepDraft, keptDraft } from "./draft.js";
+import { editor } from "./editor.js";
+import { Help } from "./help.js";
+import { changes } from "./places.js";
+import { Shelves } from "./shelf.js";
+import { lineOf, programsIn, stepOf } from "./steps.js";
+import { chosenVersion, when, who } from "./versions.js";
+import { makeView } from "./view.js";
+
+const NEW = ".PROGRAM main\n  \n.END\n";
+const KEYS = [
+  ["Escape, then Tab", "leave the editor"], ["Ctrl+S", "save"], ["Ctrl+Enter", "load and run"], ["Ctrl+Space", "what may stand here"],
+  ["F1", "what this word is"], ["F8", "next mistake"], ["Ctrl+.", "mend it"], ["F9", "breakpoint"], ["Shift+Alt+F", "lay out"], ["Ctrl+F", "find"],
+];
+const BUSY = ["running", "waiting"];
+
+/** @typedef {{shelf: import("./shelf.js").Shelf, name: string, seen: number}} Opened `seen`: version that one knows of; 0: none */
+
+/** @param {import("../pages/room.js").App} app @param {HTMLElement} panel */
+export function openWorkbench({ store, command, act, toasts }, panel) {
+  const shelves = new Shelves(() => store.now.room?.id ?? "");
+  /** @type {{own: import("./shelf.js").Version[], room: import("./shelf.js").Version[]}} */
+  let kept = { own: [], room: [] };
+  /** @type {Opened} */
+  let opened = { shelf: "own", name: "", seen: 0 };
+  let saved = NEW; // text as it is kept, or as it was begun
+  let mistakes = 0;
+
+  const pick = make("select", { class: "open", "aria-label": "Open a program", change: () => void picked() });
+  const older = button("Versions", () => void lookBack(), { title: "All that was saved of this program" });
+  const drop = button("Delete", () => void forget());
+  const name = make("input", { "aria-label": "Name", maxlength: 40, spellcheck: "false", autocapitalize: "off", placeholder: "name", input: () => told() });
+  const shelf = make("select", { "aria-label": "Where it is kept", title: "Where it is kept", change: () => told() },
+    make("option", { value: "own", text: "for me" }), make("option", { value: "room", text: "for the room" }));
+  const save = button("Save", () => void keep(), { class: "main", title: "Save as a new version (Ctrl+S)" });
+  const host = make("div", { class: "host" });
+  const state = make("span", { role: "status" });
+  const problems = make("span", { role: "status" });
+  const helping = make("span", {});
+  const wake = button("Bring help here", () => help.open(), { hidden: true });
+  const load = button("Load", () => void toRobot(false), { title: "Put the program into the robot's memory", "aria-describedby": "editor-why" });
+  const run = button("Run", () => void toRobot(true), { class: "main", title: "Load, then EXECUTE (Ctrl+Enter)", "aria-describedby": "editor-why" });
+  const stop = button("Abort", () => act({ type: "line", line: "ABORT" }), { "aria-describedby": "editor-why" });
+  const lay = button("Lay out", () => void layOut(), { title: "Indent and space it as vrts does (Shift+Alt+F)" });
+  const why = make("p", { class: "why", id: "editor-why", role: "status" });
+  const keys = make("details", {}, make("summary", { text: "Keys" }),
+    make("dl", {}, ...KEYS.flatMap(([key, words]) => [make("dt", {}, make("kbd", { text: key })), make("dd", { text: words })])));
+  panel.classList.add("bench");
+  panel.append(
+    make("div", { class: "row" }, pick, older, drop),
+    make("div", { class: "row" }, name, shelf, save),
+    host,
+    make("p", { class: "told" }, state, problems, helping, wake),
+    make("div", { class: "row" }, run, load, stop, lay),
+    why, keys,
+  );
+
+  const help = new Help({
+    text: () => view?.state.doc.toString() ?? "",
+    diagnostics: (found) => {
+      mistakes = found.filter(({ severity }) => severity === 1).length;
+      const warnings = found.filter(({ severity }) => severity === 2).length;
+      write(problems, `${plural(mistakes, "mistake")}${warnings ? `, ${plural(warnings, "warning")}` : ""}`);
+      problems.className = mistakes ? "bad" : "";
+      void mark(view, help, found);
+    },
+    state: (now, words) => {
+      write(helping, words);
+      wake.hidden = now !== "elsewhere";
+    },
+  });
+  /** @type {import("@codemirror/view").EditorView} */
+  const view = makeView(host, help, { changed, save: () => void keep(), run: () => void toRobot(true), layOut: () => void layOut() });
+  editor.show = (line) => {
+    lit = line;
+    light(view, line);
+    follow();
+  };
+  Object.assign(window, { editing: { view, help, editor } }); // for tests and for the curious
+
+  // --- the text -------------------------------------------------------------------------------
+
+  function text() {
+    return view.state.doc.toString();
+  }
+
+  function lines() {
+    return text().split("\n");
+  }
+
+  /** Put a text into the editor. @param {string} words @param {Opened} as @param {string} base text as it is kept */
+  function show(words, as, base = words) {
+    opened = as;
+    saved = base;
+    name.value = as.name;
+    shelf.value = as.shelf;
+    view.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: words }, selection: { anchor: 0 } });
+    told();
+  }
+
+  /** @param {any} update */
+  function changed(update) {
+    if (!update.docChanged && !update.transactions.some((/** @type {any} */ one) => one.effects.length)) return;
+    if (update.docChanged) {
+      help.change();
+      told();
+      keepDraft(store.now.room?.id ?? "", { text: text(), saved, opened });
+    }
+    const all = lines();
+    const places = brokenLines(view.state).map((line) => stepOf(all, line) ?? { program: "", step: 0, line });
+    if (JSON.stringify(places) !== JSON.stringify(editor.places)) editor.broken(places);
+  }
+
+  async function layOut() {
+    const { doc } = view.state;
+    const edits = await help.ask("formatting", {});
+    if (edits?.length && view.state.doc === doc) view.dispatch({ changes: changes(doc, edits), userEvent: "input.format" });
+    else if (!edits) toasts.warn("it cannot be laid out now");
+    view.focus();
+  }
+
+  // --- keeping --------------------------------------------------------------------------------
+
+  async function list() {
+    try {
+      kept = await shelves.all();
+    } catch (error) {
+      toasts.warn(/** @type {Error} */ (error).message);
+    }
+    listed();
+  }
+
+  function listed() {
+    const group = (/** @type {string} */ label, /** @type {HTMLOptionElement[]} */ options) => (options.length ? [make("optgroup", { label }, ...options)] : []);
+    const kind = (/** @type {"own"|"room"} */ which) => kept[which].map((one) => make("option", { value: `${which} ${one.name}`, text: `${one.name} (version ${one.number})` }));
+    const memory = store.now.programs.map((one) => make("option", { value: `memory ${one.name}`, text: one.name }));
+    pick.replaceChildren(
+      make("option", { value: "", text: opened.name ? `${opened.name}` : "not saved yet" }), make("option", { value: "new", text: "New program" }),
+      ...group("Mine", kind("own")), ...group("The room's", kind("room")), ...group("In the robot's memory", memory));
+    pick.value = "";
+  }
+
+  async function picked() {
+    const [where, ...rest] = pick.value.split(" ");
+    const called = rest.join(" ");
+    pick.value = "";
+    if (!where || !await mayLeave()) return;
+    try {
+      if (where === "new") show(NEW, { shelf: "own", name: "", seen: 0 });
+      else if (where === "memory") {
+        const program = store.now.programs.find((one) => one.name === called);
+        if (program) show(`.PROGRAM ${program.name}\n${program.lines.join("\n")}\n.END\n`, { shelf: "own", name: program.name, seen: 0 });
+      } else await bring(/** @type {import("./shelf.js").Shelf} */ (where), called);
+    } catch (error) {
+      toasts.warn(/** @type {Error} */ (error).message);
+    }
+    listed();
+    view.focus();
+  }
+
+  /** @param {import("./shelf.js").Shelf} where @param {string} called */
+  async function bring(where, called) {
+    kept = await shelves.all();
+    const newest = kept[where].find((one) => one.name === called);
+    if (newest) show(await shelves.text(where, called, newest.number), { shelf: where, name: called, seen: newest.number });
+  }
+
+  /** Ask before changes are left that are not saved. @returns {Promise<boolean>} whether they may be */
+  async function mayLeave() {
+    if (text() === saved) return true;
+    const answer = await asked("Your changes are not saved", [make("p", { text: `Save ${opened.name || "the program"} first?` })],
+      [["save", "Save"], ["leave", "Leave them"], ["", "Go on writing"]]);
+    if (answer === "save") return keep();
+    return answer === "leave";
+  }
+
+  /** Save what is in the editor as a new version. @returns {Promise<boolean>} whether it is saved */
+  async function keep() {
+    const called = name.value.trim() || programsIn(lines())[0]?.name || "";
+    if (!called) {
+      toasts.warn("give the program a name first");
+      name.focus();
+      return false;
+    }
+    const where = /** @type {import("./shelf.js").Shelf} */ (shelf.value);
+    const words = text();
+    try {
+      let seen = where === opened.shelf && called === opened.name ? opened.seen : 0;
+      for (;;) {
+        const { saved: done, version } = await shelves.keep(where, called, words, seen);
+        if (done && version) {
+          opened = { shelf: where, name: called, seen: version.number };
+          saved = words;
+          name.value = called;
+          break;
+        }
+        if (!version || !await over(where, called, version)) return false;
+        seen = version.number;
+      }
+    } catch (error) {
+      toasts.warn(/** @type {Error} */ (error).message);
+      return false;
+    }
+    keepDraft(store.now.room?.id ?? "", { text: words, saved, opened });
+    told();
+    await list();
+    return true;
+  }
+
+  /** Ask whether to save over a version that one has not seen. @param {import("./shelf.js").Shelf} where @param {string} called @param {import("./shelf.js").Version} version */
+  async function over(where, called, version) {
+    const theirs = make("pre", { class: "preview", tabindex: "0", "aria-label": "That version", text: await shelves.text(where, called, version.number).catch(() => "") });
+    const words = `${version.mine ? "You saved" : `${who(version)} saved`} version ${version.number} of ${called} at ${when(version.at)}, which you have not seen here.`;
+    const answer = await asked("There is a newer version", [make("p", { text: words }), theirs],
+      [["save", `Save mine as version ${version.number + 1}`], ["", "Go on writing"]]);
+    return answer === "save";
+  }
+
+  async function lookBack() {
+    try {
+      const chosen = await chosenVersion(shelves, opened.shelf, opened.name);
+      if (chosen && await mayLeave()) show(chosen.text, opened, saved);
+    } catch (error) {
+      toasts.warn(/** @type {Error} */ (error).message);
+    }
+    view.focus();
+  }
+
+  async function forget() {
+    const answer = await asked(`Delete ${opened.name}?`, [make("p", { text: "All its versions are deleted, for good. The text stays in the editor." })],
+      [["", "Keep it"], ["drop", "Delete all versions"]]);
+    if (answer !== "drop") return;
+    try {
+      await shelves.drop(opened.shelf, opened.name);
+      opened = { ...opened, name: "", seen: 0 };
+      saved = "";
+      await list();
+    } catch (error) {
+      toasts.warn(/** @type {Error} */ (error).message);
+    }
+    told();
+  }
+
+  /** Say whether the text is kept. */
+  function told() {
+    const same = text() === saved;
+    write(state, !same ? "not saved" : opened.seen ? `saved, version ${opened.seen}` : "");
+    state.className = same ? "" : "unsaved";
+    older.disabled = !opened.seen;
+    drop.disabled = !opened.seen || (opened.shelf === "room" && !store.now.supervisor);
+    may();
+  }
+
+  // --- running --------------------------------------------------------------------------------
+
+  /** Load what is in the editor, and run it. @param {boolean} runs */
+  async function toRobot(runs) {
+    may();
+    if (run.disabled) {
+      toasts.warn(why.textContent ?? "");
+      return;
+    }
+    const words = text();
+    const found = programsIn(words.split("\n"));
+    try {
+      const file = `${(opened.name || found[0].name).replace(/[^\w.-]/g, "_").slice(0, 60)}.v2`;
+      const done = await command({ type: "upload", name: file, text: words });
+      const loaded = found.map((one) => one.name.toUpperCase());
+      const main = store.now.programs.find((one) => one.main && loaded.includes(one.name.toUpperCase()))?.name ?? found[0].name;
+      if (runs) await command({ type: "line", line: `EXECUTE ${main}` });
+      else toasts.tell(/^\.PROGRAM/m.test(done.text) ? `${main} is in the robot's memory` : done.text);
+    } catch (error) {
+      toasts.warn(/** @type {Error} */ (error).message);
+    }
+    view.focus();
+  }
+
+  /** Say what may be done now, and else why not. */
+  function may() {
+    const { connection, status, alive } = store.now;
+    const reasons = [
+      [connection !== "open", "There is no connection to the room."],
+      [!alive, "The room has no session at the moment."],
+      [!store.operator, "Take control to load and run."],
+      [BUSY.includes(status?.mode ?? ""), "A program is running: abort it first."],
+      [!programsIn(lines()).length, "A program begins with .PROGRAM and its name."],
+      [text().length > LONGEST_PROGRAM, "It is too long for a program."],
+    ];
+    const reason = /** @type {string} */ (reasons.find(([holds]) => holds)?.[1] ?? "");
+    load.disabled = run.disabled = Boolean(reason);
+    stop.disabled = !store.operator || !BUSY.includes(status?.mode ?? "");
+    write(why, reason || (mistakes ? "The robot refuses what has mistakes." : ""));
+  }
+
+  /** Light the line that is at work. */
+  function follow() {
+    if (editor.shown) return;
+    const { status, programs } = store.now;
+    const program = programs.find((one) => one.name === status?.program);
+    const line = status && program && status.mode !== "idle" ? lineOf(lines(), program, status.step) : 0;
+    if (line !== lit) light(view, line);
+    lit = line;
+  }
+  let lit = 0;
+
+  // --- beginning ------------------------------------------------------------------------------
+
+  let room = "";
+  store.on(["room"], ({ room: now }) => {
+    if (!now || now.id === room) return;
+    room = now.id;
+    const draft = keptDraft(room);
+    show(draft?.text ?? NEW, draft?.opened ?? { shelf: "own", name: "", seen: 0 }, draft?.saved ?? NEW);
+    void list();
+  });
+  store.on(["programs"], listed);
+  store.on(["status", "programs"], follow);
+  store.on(["status", "control", "you", "connection", "alive"], may);
+  if (byId("tab-editor").getAttribute("aria-selected") === "true" && !matchMedia("(pointer: coarse)").matches) view.focus();
+}
+
+/** @param {number} count @param {string} word */
+function plural(count, word) {
+  return `${count || "no"} ${word}${count === 1 ? "" : "s"}`;
+}
