@@ -9,7 +9,8 @@ import sys
 from vrts.editors.patterns import patterns
 
 _HEAD = """\
-// The shapes of VAL-II in order, the first that matches wins; written by `python -m vrts.editors.codemirror`.
+// The shapes of VAL-II in order, the first that matches wins.
+// Written by `python -m vrts.editors.codemirror`.
 
 /** @type {[string, string[]][]} expression, and what its groups are, or the whole */
 export const PATTERNS = [

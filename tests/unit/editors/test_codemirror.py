@@ -1,4 +1,4 @@
-"""The words of the editor in the page are those of all highlighters, in a file that is up to date."""
+"""The words of the editor in the page are those of all highlighters, and its file is fresh."""
 
 import json
 import re

@@ -27,8 +27,8 @@ SEND_S: Final = 20.0  # until a browser must have taken a message
 
 ELSEWHERE: Final = ("elsewhere", "your editor is open in another tab, where the help is now")
 IDLE: Final = ("idle", "nothing was written for a while: the help comes back when you write")
-STUCK: Final = ("stuck", "the help took too long and was ended; it begins anew")
-GONE: Final = ("gone", "the help has ended; it begins anew")
+STUCK: Final = ("stuck", "the help took too long and was ended; it begins again")
+GONE: Final = ("gone", "the help has ended; it begins again")
 BAD: Final = ("message", "too many messages came that mean nothing")
 TOO_MUCH: Final = ("limit", "too much was asked at once")
 

@@ -29,7 +29,7 @@ export class Help {
     this.open();
   }
 
-  /** Begin, or begin anew. */
+  /** Begin, or begin again. */
   open() {
     window.clearTimeout(this.timer);
     this.timer = undefined;

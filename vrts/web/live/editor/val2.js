@@ -1,4 +1,5 @@
-// The shapes of VAL-II in order, the first that matches wins; written by `python -m vrts.editors.codemirror`.
+// The shapes of VAL-II in order, the first that matches wins.
+// Written by `python -m vrts.editors.codemirror`.
 
 /** @type {[string, string[]][]} expression, and what its groups are, or the whole */
 export const PATTERNS = [
