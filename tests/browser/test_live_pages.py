@@ -12,7 +12,7 @@ from tests.support_live import LiveServer
 
 pytestmark = pytest.mark.browser
 
-PANELS = ("pendant", "pointer", "programs", "history", "chat", "people", "lead")
+PANELS = ("pendant", "pointer", "editor", "programs", "history", "chat", "people", "lead")
 PHONE = 390  # [px]
 HEAVIEST = 1024 * 1024  # bytes of everything but the scene, as they lie on the disk
 
@@ -46,6 +46,8 @@ def test_axe_finds_nothing_in_any_panel(lead: Desk) -> None:
     found: dict[str, list[Any]] = {}
     for name in PANELS:
         lead.page.click(f"#tab-{name}")
+        if name == "editor":
+            lead.until("window.editing !== undefined")
         found[name] = faults(lead)
     lead.page.get_by_label("Link into Class").click()
     lead.until("document.querySelector('#entrance .qr').src.startsWith('blob:')")
