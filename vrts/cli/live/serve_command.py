@@ -5,6 +5,7 @@ from pathlib import Path
 
 import click
 
+from vrts.cli.live.service import print_service
 from vrts.cli.live.ways_in import Change, change_ways_in
 from vrts.cli.shared.console import INTERRUPTED, WRONG, fail, guarded, say, warn
 from vrts.cli.shared.options import file_option, lab_option
@@ -82,6 +83,7 @@ Examples:
 @click.option("--end-way", metavar="ID", help="End a link or the class code, and end.")
 @click.option("--send-away", is_flag=True, help="Send away who came in by it, too.")
 @click.option("--supervisor-link", is_flag=True, help="Print a supervisor's link, once, and end.")
+@click.option("--service", is_flag=True, help="Print a unit for systemd that runs this, and end.")
 @guarded
 def command(
     scenes: tuple[str, ...],
@@ -113,6 +115,7 @@ def command(
     end_way: str | None,
     send_away: bool,
     supervisor_link: bool,
+    service: bool,
 ) -> None:
     """Share sessions in the browser: a class works with one virtual robot together.
 
@@ -142,6 +145,9 @@ def command(
     It listens on this machine only, unless `--host` names another address. For https give
     `--tls-cert` and `--tls-key`, or put a proxy in front of it that passes `Host` and WebSockets
     on, with `--behind-proxy --name lab.example.org`.
+
+    To leave it running, `--service` prints a unit for systemd with the same options. Whether it is
+    well is told at `/health`, and a supervisor with an account sees more at `/admin`.
     """
     if add_user or purge_user or verify_logs or accept_logs or backup:
         from vrts.live.settings import DATABASE
@@ -164,6 +170,10 @@ def command(
         fail("which scenes should be served?", ("such as `vrts serve cans-on-bases`",))
     if (tls_cert is None) != (tls_key is None):
         fail("`--tls-cert` and `--tls-key` go together")
+    if service:
+        keys = () if log_key is None else (log_key.parent,)
+        print_service(click.get_current_context(), (folder, *keys), port)
+        return
     try:
         from vrts.live.serving import Listening, serve
     except ModuleNotFoundError as missing:

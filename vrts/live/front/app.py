@@ -27,6 +27,7 @@ from vrts.live.rooms.pulse import pulse
 from vrts.live.rooms.sessions import Sessions
 from vrts.live.settings import DATABASE, Settings
 from vrts.live.store.database import Database
+from vrts.live.watching.health import HealthPage
 
 
 def application(
@@ -96,6 +97,7 @@ def application(
             Route("/replay/{room}", pages.replay),
             Route("/link", entrances.link, methods=["POST"]),
             Route("/code", entrances.code),
+            Route("/health", HealthPage(hub).answer),
             Route("/code.svg", entrances.code_picture),
             Route("/ways", entrances.ways),
             Route("/ways", entrances.change, methods=["POST"]),
