@@ -5,6 +5,8 @@ from collections.abc import AsyncGenerator
 from contextlib import asynccontextmanager
 
 from starlette.applications import Starlette
+from starlette.requests import HTTPConnection
+from starlette.responses import Response
 from starlette.routing import Route, WebSocketRoute
 from starlette.types import ASGIApp
 from starlette.websockets import WebSocket
@@ -12,7 +14,7 @@ from starlette.websockets import WebSocket
 from vrts.live.editing.seats import Seats
 from vrts.live.front.browsers import browsers_of
 from vrts.live.front.entrances import EntrancePages
-from vrts.live.front.guard import Guard
+from vrts.live.front.guard import Guard, refused
 from vrts.live.front.help_socket import serve_help
 from vrts.live.front.hop import Hop
 from vrts.live.front.http import Pages
@@ -21,13 +23,14 @@ from vrts.live.front.past import PastPages
 from vrts.live.front.program_pages import ProgramPages
 from vrts.live.front.socket import serve_socket
 from vrts.live.front.static_files import StaticFiles
-from vrts.live.rooms.hub import Hub
+from vrts.live.rooms.hub import DISK_HELP, NO_DISK, Hub
 from vrts.live.rooms.opening import make_room, open_kept
 from vrts.live.rooms.pulse import pulse
 from vrts.live.rooms.sessions import Sessions
 from vrts.live.settings import DATABASE, Settings
 from vrts.live.store.database import Database
 from vrts.live.watching.health import HealthPage
+from vrts.live.store.journal import NO_ROOM
 
 
 def application(
@@ -74,7 +77,11 @@ def application(
         await hub.stop()
 
     async def socket(websocket: WebSocket) -> None:
-        account = await pages.who(websocket.cookies)
+        try:
+            account = await pages.who(websocket.cookies)
+        except NO_ROOM as problem:
+            await websocket.send_denial_response(no_disk(websocket, problem))
+            return
         browsers = browsers_of(websocket.cookies, settings)
         await serve_socket(hub, sessions, websocket, account, browsers)
 
@@ -82,8 +89,12 @@ def application(
         account = await pages.who(websocket.cookies)
         await serve_help(seats, websocket, account)
 
+    def no_disk(_: HTTPConnection, __: Exception) -> Response:
+        return refused(503, "disk", NO_DISK, DISK_HELP)
+
     app = Starlette(
         lifespan=lifespan,
+        exception_handlers={NO_ROOM: no_disk},
         routes=[
             Route("/", pages.page),
             Route("/web/{path:path}", pages.file),

@@ -17,11 +17,12 @@ from vrts.live.protocol.from_server import Closed, Refused
 from vrts.live.protocol.from_supervisors import ExportLog
 from vrts.live.refusal import NotObeyed
 from vrts.live.rooms.entering import drop, enter
-from vrts.live.rooms.hub import Hub
+from vrts.live.rooms.hub import DISK_HELP, NO_DISK, Hub
 from vrts.live.rooms.member import Member
 from vrts.live.rooms.obeying import obey
 from vrts.live.rooms.sessions import Sessions
 from vrts.live.store.accounts import Account
+from vrts.live.store.journal import NO_ROOM
 
 JOIN_S: Final = 10.0  # until the first message must be there
 MOST_BAD: Final = 20  # messages that cannot be read, after which a connection ends
@@ -106,6 +107,8 @@ async def _listen(
         except NotObeyed as refusal:
             answer = Refused(of, refusal.code, refusal.text, refusal.help)
             member.tell(answer)
+        except NO_ROOM:
+            member.tell(Refused(of, "disk", NO_DISK, DISK_HELP))
         if member.bad > MOST_BAD or member.excess > limits.EXCESS:
             _end(door, Closed("message", "too many messages that count for nothing"))
             return

@@ -2,15 +2,16 @@
 
 import asyncio
 import logging
+import time
 from collections.abc import Callable, Coroutine
-from typing import Any
+from typing import Any, Final
 
 from vrts.live.door import text_frame
 from vrts.live.entrance.ways_in import WaysIn
 from vrts.live.notices.announcement import Announcement
 from vrts.live.passwords import Passwords
 from vrts.live.protocol.coding import encode
-from vrts.live.protocol.from_server import Announced, ClassCode, Rooms
+from vrts.live.protocol.from_server import Announced, Chat, ClassCode, Rooms
 from vrts.live.protocol.listed import RoomEntry
 from vrts.live.rooms.member import Member
 from vrts.live.rooms.room import Room
@@ -18,8 +19,12 @@ from vrts.live.settings import Settings
 from vrts.live.store.accounts import Account
 from vrts.live.store.bars import Bars
 from vrts.live.store.database import Database
+from vrts.live.store.journal import Journal
 from vrts.live.tokens import grouped
 
+NO_DISK: Final = "the server's disk takes nothing more, so nothing can be done now but panic"
+DISK_HELP: Final = "tell who runs the server to make room; it goes on by itself then"
+DISK_AGAIN: Final = "the server's disk has room again: all that was done is recorded"
 _log = logging.getLogger("vrts.live")
 
 
@@ -32,6 +37,7 @@ class Hub:
         """Begin without rooms; `address` is where browsers find the server."""
         self.settings = settings
         self.database = database
+        self.journal = Journal(database, self.spawn, self._disk_changed)
         self.rooms: dict[str, Room] = {}
         self.muted: Bars = {}  # accounts that are not heard, with the names they had then
         self.ways = WaysIn(settings.folder, database, address, has_code=with_code)
@@ -53,6 +59,13 @@ class Hub:
         self._tasks.discard(task)
         if not task.cancelled() and (fault := task.exception()) is not None:
             _log.error("a fault in vrts", exc_info=fault)
+
+    def _disk_changed(self, problem: str) -> None:
+        """Tell everybody that nothing can be recorded, or that it can again; it is not kept."""
+        for room in self.rooms.values():
+            number = room.next_number()
+            text = f"{NO_DISK}; {DISK_HELP}" if problem else DISK_AGAIN
+            room.tell(Chat(number, time.time(), "", "", text), number)
 
     def entries(self, account: Account) -> tuple[RoomEntry, ...]:
         """Return the rooms that somebody may enter."""

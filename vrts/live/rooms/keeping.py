@@ -1,6 +1,9 @@
 """What is kept of a room while it happens: its log, and what is said in it."""
 
+import asyncio
+import contextlib
 import time
+from collections.abc import Callable
 from typing import Final
 
 from vrts.live.protocol.coding import encode
@@ -11,6 +14,8 @@ from vrts.live.rooms.member import Member
 from vrts.live.rooms.room import Room
 from vrts.live.store import log as store_log
 from vrts.live.store.accounts import Account
+from vrts.live.store.database import Connection
+from vrts.live.store.journal import NO_ROOM
 from vrts.live.store.log import Entry
 from vrts.live.store.rooms import Line, keep_line
 
@@ -34,21 +39,18 @@ def control_changed(hub: Hub, room: Room) -> None:
     record(hub, room, "control", None if holder is None else holder.account, {})
 
 
-def log_soon(hub: Hub, entry: Entry) -> None:
-    """Put an entry into the log, without waiting for it."""
-    hub.spawn(log(hub, entry))
+def log_soon(hub: Hub, entry: Entry) -> "asyncio.Future[None]":
+    """Put an entry into the log after all that were put before; return when it is written.
 
-
-async def log(hub: Hub, entry: Entry) -> None:
-    """Put an entry into the log, and say so when that has become full."""
-    await hub.database.do(lambda connection: store_log.append_now(connection, entry))
+    It is written in any case, after a while if there is no room for it now.
+    """
     room = hub.rooms.get(entry.room)
-    if room is None:
-        return
-    room.logged += store_log.RECORD + len(entry.text)
-    if room.logged > hub.settings.log_quota and not room.log_full:
-        room.log_full = True
-        await say(hub, room, None, f"{LOG_FULL}; {LOG_HELP}", EVERYBODY, None)
+    if room is not None:
+        room.logged += store_log.RECORD + len(entry.text)
+        if room.logged > hub.settings.log_quota and not room.log_full:
+            room.log_full = True
+            hub.spawn(announce(hub, room, f"{LOG_FULL}; {LOG_HELP}"))
+    return hub.journal.put(entry)
 
 
 def stamped(
@@ -63,6 +65,21 @@ def stamped(
     """Return a record of the log, stamped now."""
     id_, name = (None, "") if account is None else (account.id, account.name)
     return Entry(room.id, room.session, at_s, time.time(), kind, accepted, id_, name, text)
+
+
+async def announce(hub: Hub, room: Room, text: str) -> None:
+    """Say something as the server; where it cannot be kept it is told all the same."""
+    try:
+        await say(hub, room, None, text, EVERYBODY, None)
+    except NO_ROOM:
+        number = room.next_number()
+        room.tell(Chat(number, time.time(), "", "", text), number)
+
+
+async def keep_soon(hub: Hub, job: Callable[[Connection], None]) -> None:
+    """Write what is written again before long, or is of no use then."""
+    with contextlib.suppress(NO_ROOM):
+        await hub.database.do(job)
 
 
 async def say(

@@ -27,7 +27,7 @@ from vrts.live.protocol.from_clients import FromClient
 from vrts.live.protocol.from_server import Branched
 from vrts.live.refusal import NotObeyed
 from vrts.live.rooms.audience import EVERYBODY, Audience
-from vrts.live.rooms.hub import Hub
+from vrts.live.rooms.hub import DISK_HELP, NO_DISK, Hub
 from vrts.live.rooms.keeping import LOG_FULL, LOG_HELP, control_changed, say
 from vrts.live.rooms.member import Member
 from vrts.live.rooms.private.branching import branch, end_earlier
@@ -120,6 +120,8 @@ def _command(hub: Hub, room: Room, member: Member, message: Command, now: float)
         raise NotObeyed("rate", "too many files at once", "wait a few seconds")
     if isinstance(action, Typed) and not action.line.isprintable():
         raise NotObeyed("line", "a line has only visible characters")
+    if hub.journal.problem and not _stops(action):
+        raise NotObeyed("disk", NO_DISK, DISK_HELP)
     if room.logged > hub.settings.log_quota and not _stops(action):
         raise NotObeyed("log", LOG_FULL, LOG_HELP)
     process = _running(room)

@@ -1,16 +1,18 @@
 """What time alone brings about in the rooms of a server."""
 
 import asyncio
+import contextlib
 import time
 from typing import Final
 
 from vrts.live.rooms.entering import remove, send_away
 from vrts.live.rooms.hub import Hub
-from vrts.live.rooms.keeping import control_changed
+from vrts.live.rooms.keeping import control_changed, keep_soon
 from vrts.live.rooms.private.branching import end_empty
 from vrts.live.rooms.room import Room
 from vrts.live.rooms.wall import show_wall
 from vrts.live.store.accounts import existing
+from vrts.live.store.journal import NO_ROOM
 from vrts.live.store.links import sent_away
 from vrts.live.store.progress import keep_reached
 
@@ -34,9 +36,10 @@ async def pulse(hub: Hub) -> None:
                 hub.announcement.changed = False
                 hub.show_announcement(only=lambda member: member.supervisor)
             _keep_reached(hub)
-            await _send_purged_away(hub)
-            await end_empty(hub)
-            await hub.ways.look()
+            with contextlib.suppress(NO_ROOM):  # it is looked again in a second
+                await _send_purged_away(hub)
+                await end_empty(hub)
+                await hub.ways.look()
 
 
 def _pulse_room(hub: Hub, room: Room, now: float) -> None:
@@ -77,4 +80,4 @@ def _keep_reached(hub: Hub) -> None:
     known = [room.reached for room in hub.rooms.values()]
     found = [reached for reached in known if reached is not None]
     if found:
-        hub.spawn(hub.database.do(lambda connection: keep_reached(connection, found)))
+        hub.spawn(keep_soon(hub, lambda connection: keep_reached(connection, found)))

@@ -28,10 +28,10 @@ from vrts.live.protocol.from_server import (
 from vrts.live.refusal import NotObeyed
 from vrts.live.rooms.again.deaths import Deaths
 from vrts.live.rooms.again.words import command_words, died_too_often, not_offered
-from vrts.live.rooms.audience import EVERYBODY, Audience
+from vrts.live.rooms.audience import Audience
 from vrts.live.rooms.entering import settle
 from vrts.live.rooms.hub import Hub
-from vrts.live.rooms.keeping import log, log_soon, record, say, stamped
+from vrts.live.rooms.keeping import announce, keep_soon, log_soon, record, stamped
 from vrts.live.rooms.member import FULL_RATE, Member
 from vrts.live.rooms.process import Head, SessionProcess
 from vrts.live.rooms.room import PANIC, Asked, Room
@@ -41,14 +41,14 @@ from vrts.live.session.channel.messages import Act, Halt, Start
 from vrts.live.session.growing.folder import empty
 from vrts.live.settings import SESSIONS
 from vrts.live.store import log as store_log
-from vrts.live.store.database import Failed
+from vrts.live.store.journal import NO_ROOM, RETRY_S
 from vrts.live.store.progress import keep_reached
 from vrts.live.store.rooms import next_number
 
 BEFORE: Final = "before.jsonl"  # in a session's folder: what was done before it ended
 LEFT: Final = 4  # folders of a room's earlier sessions that stay
 STARTING: Final = 2  # sessions that begin at the same time
-NOT_LOGGED: Final = "this was done, but could not be recorded: tell the supervisor"
+NOT_LOGGED: Final = "this was done, but could not be recorded yet: tell the supervisor"
 _NUMBERS: Final = 65_535
 
 _RAW = msgspec.Raw
@@ -94,38 +94,44 @@ class Sessions:
                 raise NotObeyed("session", "there is no command that could be left out")
             text = encode({"seq": before.last.order.ref}).decode()
             taken = stamped(room, "without", member.account, text, at_s=0.0, accepted=True)
-            await log(self._hub, taken)
+            await log_soon(self._hub, taken)
         self._wake[room.id].set()
 
     async def _keep_going(self, room: Room) -> None:
-        hub, wake = self._hub, self._wake[room.id]
         deaths = Deaths()
-        while not hub.stopping and room.id in hub.rooms:
-            wake.clear()
-            room.offered = hub.settings.place(room.kept.scene) is not None
-            if not room.offered:
-                await self._wait(room, not_offered(room.kept.scene))
-                continue
-            before = await self._before(room)
-            process = await self._one(room, before)
-            if wake.is_set() or hub.stopping or room.id not in hub.rooms:
-                deaths = Deaths()
-                continue
-            last = await self._last(room)
-            too_often = deaths.died(0 if last is None else last.order.ref, process.went_on_s())
-            text = f"the session ended: {process.failure}"
-            if not too_often:
-                await self._say(room, f"{text}; it goes on from its log")
-                with contextlib.suppress(TimeoutError):
-                    await asyncio.wait_for(wake.wait(), deaths.pause_s)
-                continue
-            unheard, words = room.unheard, "" if last is None else _words(last.order)
-            waits = died_too_often(
-                process.failure, deaths.row, unheard or words, recorded=not unheard
-            )
-            await self._wait(room, waits)
-            deaths = Deaths()
+        while not self._hub.stopping and room.id in self._hub.rooms:
+            try:
+                await self._go_a_round(room, deaths)
+            except NO_ROOM:  # such as a full disk: nothing begins that cannot be kept
+                await asyncio.sleep(RETRY_S)
         self._wake.pop(room.id, None)
+
+    async def _go_a_round(self, room: Room, deaths: Deaths) -> None:
+        """Let a session go on or begin, and tell how it ended or why there is none."""
+        hub, wake = self._hub, self._wake[room.id]
+        wake.clear()
+        room.offered = hub.settings.place(room.kept.scene) is not None
+        if not room.offered:
+            await self._wait(room, not_offered(room.kept.scene))
+            return
+        process = await self._one(room, await self._before(room))
+        if wake.is_set() or hub.stopping or room.id not in hub.rooms:
+            deaths.forget()
+            return
+        last = await self._last(room)
+        too_often = deaths.died(0 if last is None else last.order.ref, process.went_on_s())
+        if not too_often:
+            text = f"the session ended: {process.failure}; it goes on from its log"
+            await announce(hub, room, text)
+            with contextlib.suppress(TimeoutError):
+                await asyncio.wait_for(wake.wait(), deaths.pause_s)
+            return
+        unheard, words = room.unheard, "" if last is None else _words(last.order)
+        text = unheard or words
+        await self._wait(
+            room, died_too_often(process.failure, deaths.row, text, recorded=not unheard)
+        )
+        deaths.forget()
 
     async def _wait(self, room: Room, waits: NoSession) -> None:
         """Wait for a room's supervisor."""
@@ -138,6 +144,7 @@ class Sessions:
 
     async def _before(self, room: Room) -> Unfinished | None:
         """Return the session that a room had; where it cannot go on, say so."""
+        await self._hub.journal.settled()  # what was done and not written yet would be missed
         try:
             return await self._hub.database.do(lambda c: unfinished(c, room.id, room.kept.scene))
         except LogFault as problem:
@@ -146,6 +153,7 @@ class Sessions:
 
     async def _last(self, room: Room) -> Entry | None:
         """Return the last command that is in the log of a room's session."""
+        await self._hub.journal.settled()
         try:
             before = await self._hub.database.do(lambda c: unfinished(c, room.id, room.kept.scene))
         except LogFault:  # which is told before the next one begins
@@ -153,10 +161,8 @@ class Sessions:
         return None if before is None else before.last
 
     async def _say_anew(self, room: Room, why: str) -> None:
-        await self._say(room, f"the session cannot go on, and begins again: {why}")
-
-    async def _say(self, room: Room, text: str) -> None:
-        await say(self._hub, room, None, text, EVERYBODY, None)
+        text = f"the session cannot go on, and begins again: {why}"
+        await announce(self._hub, room, text)
 
     async def _one(self, room: Room, before: Unfinished | None) -> SessionProcess:
         """Run a session to its end, one that goes on where there was one before."""
@@ -279,21 +285,29 @@ class Sessions:
                 member.tell(Refused(asked.of, "keep", head.text))
             if not head.counts:
                 return  # a replay needs those that kept the arm moving
-        self._hub.spawn(self._acknowledge(room, asked, head, message))
-
-    async def _acknowledge(self, room: Room, asked: Asked, head: Head, message: bytes) -> None:
-        """Record a command with what became of it, then tell who gave it."""
         text = b'{"action":' + asked.action + b',"result":' + message + b"}"
         entry = stamped(
             room, asked.kind, None, text.decode(), at_s=head.at_s, accepted=head.accepted
         )._replace(account=asked.account, name=asked.name)
+        written = log_soon(self._hub, entry)
+        self._hub.spawn(self._acknowledge(room, asked, head, message, written))
+
+    async def _acknowledge(
+        self,
+        room: Room,
+        asked: Asked,
+        head: Head,
+        message: bytes,
+        written: "asyncio.Future[None]",
+    ) -> None:
+        """Tell who gave a command what became of it, when that is recorded."""
         try:
-            await log(self._hub, entry)
-        except Failed:  # such as a full disk: it was done, but cannot be acknowledged
+            await written
+        except NO_ROOM:  # such as a full disk: it was done, but cannot be acknowledged
             member = room.members.get(asked.person)
             if member is not None:
                 member.tell(Refused(asked.of, "log", NOT_LOGGED))
-            raise
+            return
         if head.row and self._hub.settings.recorded is not None:
             self._hub.settings.recorded(head.row)
         if asked.kind == "keep":
@@ -309,7 +323,7 @@ class Sessions:
         if room.stopped is not None:
             room.show_stopped(None)
         if (reached := room.reached) is not None:  # later than what the pulse has kept
-            self._hub.spawn(self._hub.database.do(lambda c: keep_reached(c, (reached,))))
+            self._hub.spawn(keep_soon(self._hub, lambda c: keep_reached(c, (reached,))))
         room.status = room.frame = b""
         room.placed.clear()
         room.blocks.forget()

@@ -28,6 +28,10 @@ class Deaths:
         self.row += 1
         return self.row >= MOST
 
+    def forget(self) -> None:
+        """End the row: somebody has chosen how to go on."""
+        self.row = 0
+
     @property
     def pause_s(self) -> float:
         """How long to wait before it is tried again [s]."""

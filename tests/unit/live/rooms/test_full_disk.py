@@ -1,0 +1,103 @@
+"""A disk that is full while a class works: nothing is acknowledged that is not recorded."""
+
+import asyncio
+import resource
+import sqlite3
+from collections.abc import Callable, Coroutine
+from pathlib import Path
+from typing import Any
+
+from tests.support_live import Browser, LiveServer
+from tests.unit.live.rooms.test_session_deaths import boss_cookie, done, session_of, settled
+from vrts.live.logs.log_file import read_log
+from vrts.live.settings import DATABASE
+from vrts.live.store import log
+from vrts.live.store.database import Answer, Connection, Database, opened
+from vrts.live.store.journal import Journal
+from vrts.live.store.log import Entry
+
+
+def disk(server: LiveServer, *, full: bool) -> None:
+    """Have every write of the server's to a file fail, as on a full disk, or not."""
+    _, most = resource.prlimit(server.process.pid, resource.RLIMIT_FSIZE)
+    resource.prlimit(server.process.pid, resource.RLIMIT_FSIZE, (0 if full else most, most))
+
+
+def refused_by_disk(boss: Browser, lease: str, line: str) -> str:
+    """Give a command; return the code with which it was refused."""
+    answer = boss.answer(boss.command(lease, "line", line=line))
+    assert answer["type"] == "refused", "not acknowledged"
+    return answer["code"]
+
+
+def test_nothing_is_acknowledged_while_the_disk_is_full(tmp_path: Path) -> None:
+    with LiveServer(tmp_path / "live") as server:
+        boss, _ = settled(server, server.supervisor())
+        room, lease = boss.came[0]["room"], boss.take_control()
+        done(boss, lease, "line", line="DO a = 1")
+        disk(server, full=True)
+        assert refused_by_disk(boss, lease, "DO b = 2") == "log", "it was done, but not recorded"
+        told = [m["text"] for m in boss.came if m["type"] == "chat"]
+        assert any("takes nothing more" in text for text in told)
+        assert refused_by_disk(boss, lease, "DO c = 3") == "disk", "nothing more is done"
+        boss.send("say", text="hello")
+        assert boss.wait("refused")["code"] == "disk"
+        assert server.request("POST", "/enter", {"code": server.code, "name": "x"}).status == 503
+        boss.send("panic")  # is always obeyed
+        session_of(server).kill()  # and even now nothing is lost
+        disk(server, full=False)
+        boss.wait("chat", lambda m: "has room again" in m["text"])
+        boss.wait("state", lambda m: m["state"] is not None)
+        for name, value in (("a", "1"), ("b", "2")):
+            assert value in done(boss, lease, "line", line=f"LISTR {name}")
+        assert "Undefined" in done(boss, lease, "line", line="LISTR c")
+        boss.send("say", text="hello again")
+        boss.wait("chat", lambda m: m["text"] == "hello again")
+        text = server.request("GET", f"/log/{room}", cookie=boss_cookie(boss)).body
+    lines = [str(entry.order) for (one,) in (read_log(text),) for entry in one.entries]
+    assert [n for n in "abc" if any(f"DO {n} =" in line for line in lines)] == ["a", "b"]
+    connection = opened(tmp_path / "live" / DATABASE)
+    assert log.verify(connection, room) == ""
+    connection.close()
+
+
+class Failing(Database):
+    """A database that fails a few times, as with a full disk."""
+
+    left = 2
+
+    async def do(self, job: Callable[[Connection], Answer]) -> Answer:
+        if self.left:
+            self.left -= 1
+            raise sqlite3.OperationalError("database or disk is full")
+        return await super().do(job)
+
+
+def test_records_are_written_in_order_whatever_fails_between(tmp_path: Path) -> None:
+    database = Failing(tmp_path / "live.sqlite")
+    told: list[bool] = []
+    bad: Any = None  # which no log can hold
+
+    def entry(number: int) -> Entry:
+        kind = bad if number == 7 else "line"
+        return Entry("r", 1, float(number), 0.0, kind, True, None, "", "{}")
+
+    async def all_of_it() -> list[BaseException | None]:
+        tasks: list[asyncio.Task[None]] = []
+
+        def spawn(work: Coroutine[Any, Any, None]) -> None:
+            tasks.append(asyncio.create_task(work))
+
+        journal = Journal(database, spawn, lambda problem: told.append(bool(problem)))
+        futures = [journal.put(entry(number)) for number in range(12)]
+        await journal.settled()
+        return [future.exception() for future in futures]
+
+    found = asyncio.run(all_of_it())
+    database.close()
+    assert all(isinstance(one, sqlite3.OperationalError) for one in found), "who waited was told"
+    assert told == [True, False]
+    connection = opened(tmp_path / "live.sqlite")
+    rows = connection.execute("SELECT at_s FROM log ORDER BY seq").fetchall()
+    connection.close()
+    assert [row[0] for row in rows] == [float(n) for n in range(12) if n != 7]
