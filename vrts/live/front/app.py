@@ -29,8 +29,8 @@ from vrts.live.rooms.pulse import pulse
 from vrts.live.rooms.sessions import Sessions
 from vrts.live.settings import DATABASE, Settings
 from vrts.live.store.database import Database
+from vrts.live.store.waiting.journal import NO_ROOM
 from vrts.live.watching.health import HealthPage
-from vrts.live.store.journal import NO_ROOM
 
 
 def application(

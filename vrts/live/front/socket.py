@@ -22,7 +22,7 @@ from vrts.live.rooms.member import Member
 from vrts.live.rooms.obeying import obey
 from vrts.live.rooms.sessions import Sessions
 from vrts.live.store.accounts import Account
-from vrts.live.store.journal import NO_ROOM
+from vrts.live.store.waiting.journal import NO_ROOM
 
 JOIN_S: Final = 10.0  # until the first message must be there
 MOST_BAD: Final = 20  # messages that cannot be read, after which a connection ends

@@ -19,7 +19,7 @@ from vrts.live.settings import Settings
 from vrts.live.store.accounts import Account
 from vrts.live.store.bars import Bars
 from vrts.live.store.database import Database
-from vrts.live.store.journal import Journal
+from vrts.live.store.waiting.journal import Journal
 from vrts.live.tokens import grouped
 
 NO_DISK: Final = "the server's disk takes nothing more, so nothing can be done now but panic"

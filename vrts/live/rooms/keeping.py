@@ -15,9 +15,9 @@ from vrts.live.rooms.room import Room
 from vrts.live.store import log as store_log
 from vrts.live.store.accounts import Account
 from vrts.live.store.database import Connection
-from vrts.live.store.journal import NO_ROOM
 from vrts.live.store.log import Entry
 from vrts.live.store.rooms import Line, keep_line
+from vrts.live.store.waiting.journal import NO_ROOM
 
 LOG_FULL: Final = "the log of this session is full, so nothing more can be done in it but panic"
 LOG_HELP: Final = "a supervisor can begin another session: choose the scene again"

@@ -12,9 +12,9 @@ from vrts.live.rooms.private.branching import end_empty
 from vrts.live.rooms.room import Room
 from vrts.live.rooms.wall import show_wall
 from vrts.live.store.accounts import existing
-from vrts.live.store.journal import NO_ROOM
 from vrts.live.store.links import sent_away
 from vrts.live.store.progress import keep_reached
+from vrts.live.store.waiting.journal import NO_ROOM
 
 AWAY_S: Final = 300.0  # how long the place of somebody whose connection dropped is kept
 PULSE: Final = 0.1  # [s]

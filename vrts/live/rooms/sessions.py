@@ -41,9 +41,9 @@ from vrts.live.session.channel.messages import Act, Halt, Start
 from vrts.live.session.growing.folder import empty
 from vrts.live.settings import SESSIONS
 from vrts.live.store import log as store_log
-from vrts.live.store.journal import NO_ROOM, RETRY_S
 from vrts.live.store.progress import keep_reached
 from vrts.live.store.rooms import next_number
+from vrts.live.store.waiting.journal import NO_ROOM, RETRY_S
 
 BEFORE: Final = "before.jsonl"  # in a session's folder: what was done before it ended
 LEFT: Final = 4  # folders of a room's earlier sessions that stay

@@ -13,8 +13,8 @@ from vrts.live.logs.log_file import read_log
 from vrts.live.settings import DATABASE
 from vrts.live.store import log
 from vrts.live.store.database import Answer, Connection, Database, opened
-from vrts.live.store.journal import Journal
 from vrts.live.store.log import Entry
+from vrts.live.store.waiting.journal import Journal
 
 
 def disk(server: LiveServer, *, full: bool) -> None:
