@@ -14,7 +14,7 @@ from typing import Final, NamedTuple
 import msgspec
 
 from vrts.base.pose import Pose
-from vrts.engine.memory.events import Cause, SignalChanged
+from vrts.engine.memory.events import Cause, ProgramEnded, ProgramStarted, SignalChanged
 from vrts.engine.memory.records import GRAVITY, ProgramStatus, Segment
 from vrts.engine.run import Run, State
 from vrts.engine.timeline import Timeline
@@ -182,7 +182,12 @@ def _marks(run: Run, begin_s: float, until_s: float) -> tuple[list[Json], int]:
         for command in run.history.issued
         if isinstance(command.command, Panic) and begin_s <= command.time_s < until_s
     ]
+    alone = False  # what executes is a single instruction, whose beginning and end say nothing
     for event in run.events:
+        if isinstance(event, ProgramStarted) and not event.process:
+            alone = event.program == ALONE
+        if alone and isinstance(event, ProgramStarted | ProgramEnded) and not event.process:
+            continue
         if begin_s <= event.time_s < until_s and (row := event_text(event)) is not None:
             rows.append(_mark(event.time_s, *row, event.cause))
     rows.sort(key=lambda row: float(str(row["t"])))

@@ -37,7 +37,7 @@ export function mountStatus({ store, world }) {
     set("Mark", status.mark === null || status.mark === undefined ? "–" : `${figure(status.mark, 1)} / ${status.total}`);
     write(byId("mode"), status.mode);
     byId("mode").className = `mode ${status.mode}`;
-    const line = status.line ? `${status.program} ${status.line}  ${status.text}` : status.program;
+    const line = status.line ? `${status.program} ${status.line}  ${status.text}` : status.program || status.text;
     write(byId("line-now"), line);
     write(byId("held"), status.held ? `holds ${status.held}` : "");
     byId("strip").classList.toggle("touched", status.contacts > 0);

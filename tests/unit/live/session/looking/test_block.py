@@ -53,6 +53,7 @@ def test_a_block_gives_back_arm_hand_bodies_outputs_and_line(tmp_path: Path) -> 
     assert not runs[-1]
     texts = [row["text"] for row in found["marks"]]
     assert STOPPED in texts
+    assert [text for text in texts if "starts" in text] == ["program wave starts"]
     assert any("grasped" in text for text in texts)
     assert [row["t"] for row in found["marks"]] == sorted(row["t"] for row in found["marks"])
 
