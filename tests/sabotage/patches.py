@@ -3139,4 +3139,18 @@ PATCHES: tuple[Patch, ...] = (
         "if not really.is_absolute():",
         ("tests/unit/learn/test_lessons.py",),
     ),
+    Patch(
+        "a block of the past says nothing of the tool's motions before it",
+        "vrts/live/session/looking/block.py",
+        "first = max(bisect_right(arm.pieces, begin, key=lambda piece: piece.start_s) - 1, 0)",
+        "first = bisect_right(arm.pieces, begin, key=lambda piece: piece.start_s)",
+        ("tests/unit/live/session/looking/test_block.py",),
+    ),
+    Patch(
+        "a private room begins with what was done later, too",
+        "vrts/live/logs/branching.py",
+        "if step.at_s <= at_s]",
+        "if step.at_s <= at_s + 1.0]",
+        ("tests/unit/live/logs/test_branching.py",),
+    ),
 )

@@ -45,7 +45,7 @@ async def branch(hub: Hub, sessions: Sessions, member: Member, at_s: float) -> R
         most = hub.settings.private_rooms
         text = f"there are {most} private rooms already" if most else "there are no private rooms"
         raise NotObeyed("limit", text, "try again later" if most else "")
-    name = f"{account.name}, from {_clock(at_s)} of {origin.kept.name}"[:LONGEST_NAME]
+    name = f"{origin.kept.name} from {_clock(at_s)}, {account.name}"[:LONGEST_NAME]
     place = max(room.kept.place for room in hub.rooms.values()) + 1
     kept = KeptRoom(new_id(), name, origin.kept.scene, place, *origin.kept[4:])
     made = Branch(kept.id, account.id, origin.id, min(at_s, reached.time_s))

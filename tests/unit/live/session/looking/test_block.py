@@ -66,6 +66,18 @@ def test_a_block_that_nothing_happens_in_has_one_row_of_each(tmp_path: Path) -> 
     assert [len(found[name]) for name in ("lines", "tools", "outputs", "marks")] == [1, 1, 1, 0]
 
 
+def test_a_motion_goes_on_over_the_border_of_two_blocks(tmp_path: Path) -> None:
+    driven = Driven(tmp_path)
+    driven.run(BLOCK - 1.0, beat_s=1.0)
+    driven.typed("DO DRIVE 1,40,10", seconds=8.0)
+    run = driven.session.run
+    moving = [motion for motion in run.motions if motion.start_s < BLOCK < motion.end_s]
+    assert len(moving) == 1
+    for number in (0, 1):
+        same_as_run(driven, number)
+    assert abs(coordinates(plain(block(run, 1, 0.0)), BLOCK)[0]) > 0.01, "it is on its way"
+
+
 def test_a_block_of_what_is_in_the_file_is_the_one_that_it_was(tmp_path: Path) -> None:
     driven = Driven(tmp_path)
     eventful(driven)
