@@ -91,8 +91,16 @@ def test_the_task_stands_beside_the_arm(lead: Desk) -> None:
     looked = lead.value("import('/web/live/looking.js').then((page) => page.lookedAt())")
     assert f"{looked:.1f} s" == told
 
+    page.keyboard.press("Alt+N")
+    page.keyboard.type(f"here {HOSTILE}")
+    page.keyboard.press("Enter")
+    lead.until("document.querySelector('#panel-history tr.noted') !== null")
+    assert f"here {HOSTILE}" in page.inner_text("#panel-history tr.noted")
+    assert page.input_value("#note-text") == ""
+
     page.reload()
     lead.until("Boolean(window.vrts?.world?.state)")
+    lead.until("vrts.store.now.notes.length === 1")
     assert page.is_hidden("#picture-names"), "remembered"
     lead.until(f"{MARK} === '7.0 / 10'")
     assert lead.complaints() == []

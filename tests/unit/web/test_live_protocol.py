@@ -7,7 +7,7 @@ import msgspec
 import pytest
 
 from vrts.live import actions
-from vrts.live.protocol.fields import LONGEST_CHAT, VERSION
+from vrts.live.protocol.fields import LONGEST_CHAT, LONGEST_NOTE, VERSION
 from vrts.live.protocol.from_clients import FromClient
 from vrts.live.protocol.from_server import Control, FromServer
 from vrts.live.protocol.listed import Person, WallRow
@@ -87,6 +87,7 @@ def test_versions_limits_and_the_size_of_a_frame_agree() -> None:
     assert numbers["VERSION"] == VERSION
     assert numbers["LONGEST_PROGRAM"] == actions.LONGEST_PROGRAM
     assert numbers["LONGEST_CHAT"] == LONGEST_CHAT
+    assert numbers["LONGEST_NOTE"] == LONGEST_NOTE
     framing = dict(re.findall(r"const ([A-Z]+) = (\d+);", asset("live/frame.js")))
     wanted = {
         "KIND": frame.KIND,

@@ -7,6 +7,7 @@ from msgspec import Meta
 VERSION = 1
 LONGEST_MESSAGE = 256 * 1024  # bytes; of a text frame from a client
 LONGEST_CHAT = 1000  # characters
+LONGEST_NOTE = 200  # characters
 
 Id = Annotated[str, Meta(max_length=64)]
 Text = Annotated[str, Meta(max_length=LONGEST_CHAT)]

@@ -10,7 +10,7 @@ from typing import Annotated
 from msgspec import Meta
 
 from vrts.live.actions import Action, Number, Strict
-from vrts.live.protocol.fields import VERSION, Count, Id, Of, Rate, Text
+from vrts.live.protocol.fields import LONGEST_NOTE, VERSION, Count, Id, Of, Rate, Text
 
 
 class Join(Strict, frozen=True, tag="join"):
@@ -68,6 +68,12 @@ class Noticed(Strict, frozen=True, tag="noticed"):
 
     id: Annotated[int, Meta(ge=1, le=2**53)]
     closed: bool = False
+
+
+class Note(Strict, frozen=True, tag="note"):
+    """Put a note at this moment of the session. Operator and supervisor."""
+
+    text: Annotated[str, Meta(min_length=1, max_length=LONGEST_NOTE)]
 
 
 class AskReach(Strict, frozen=True, tag="reach"):

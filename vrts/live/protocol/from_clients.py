@@ -7,6 +7,7 @@ from vrts.live.protocol.from_anybody import (
     GoOnFrom,
     HandBack,
     Join,
+    Note,
     Noticed,
     Panic,
     RaiseHand,
@@ -45,6 +46,7 @@ FromClient = (
     | RaiseHand
     | Say
     | Noticed
+    | Note
     | AskReach
     | AskProgram
     | GoOnFrom

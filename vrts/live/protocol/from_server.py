@@ -41,6 +41,15 @@ class Chat(Message, frozen=True, tag="chat"):
     role: Role | None = None  # of the speaker then; none: the server, or it is not known any more
 
 
+class Noted(Message, frozen=True, tag="noted"):
+    """A note at a moment of the session."""
+
+    number: int
+    at_s: float  # session time
+    name: str  # of who put it
+    text: str
+
+
 class Snapshot(Message, frozen=True, tag="snapshot"):
     """Everything about the room now."""
 
@@ -52,6 +61,7 @@ class Snapshot(Message, frozen=True, tag="snapshot"):
     scene_url: str  # what is to be drawn, as JSON (`Ready.scene`); empty: not there yet
     state: msgspec.Raw  # the session's `Snapshot`; null: it does not run, a `State` follows
     chat: tuple[Chat, ...]  # empty when resumed
+    notes: tuple[Noted, ...] = ()  # of the session, in order
 
 
 class People(Message, frozen=True, tag="people"):
@@ -207,6 +217,7 @@ FromServer = (
     | People
     | Control
     | Chat
+    | Noted
     | Happened
     | Now
     | State

@@ -14,7 +14,7 @@ from vrts.live.protocol.from_server import Closed, Rooms, Snapshot, Welcome
 from vrts.live.protocol.listed import SceneEntry
 from vrts.live.refusal import NotObeyed
 from vrts.live.rooms.hub import Hub, may_enter
-from vrts.live.rooms.keeping import control_changed
+from vrts.live.rooms.keeping import control_changed, record
 from vrts.live.rooms.member import Member
 from vrts.live.rooms.room import Room
 from vrts.live.store.accounts import Account
@@ -29,6 +29,9 @@ def enter(hub: Hub, account: Account, join: Join, door: Door) -> Member:
         make_way(hub, room, account)
         member = Member(account, room.id)
         room.members[member.id] = member
+        if account.id not in room.came:  # once a session: who comes again and again fills no log
+            room.came.add(account.id)
+            record(hub, room, "join", account, {})
     member.came = member.heard = time.monotonic()
     _saw(hub, member, 0.0)
     resumed = join.resume == member.resume and room.remembers(join.seen)
@@ -79,6 +82,7 @@ def settle(hub: Hub, room: Room, state: bytes) -> None:
             scene_url=room.scene_url,
             state=msgspec.Raw(state),
             chat=() if member.seen is not None else room.chat_for(member),
+            notes=tuple(room.notes),
         )
         member.send(text_frame(encode(snapshot)))
         member.send(text_frame(encode(room.control_for(member))))

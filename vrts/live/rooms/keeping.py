@@ -28,7 +28,9 @@ def record(
 ) -> None:
     """Put something that is no command into the log."""
     text = encode(what).decode()
-    log_soon(hub, stamped(room, kind, account, text, at_s=0.0, accepted=True))
+    known = None if kind == "begin" else room.reached
+    at_s = 0.0 if known is None else known.time_s
+    log_soon(hub, stamped(room, kind, account, text, at_s=at_s, accepted=True))
 
 
 def control_changed(hub: Hub, room: Room) -> None:

@@ -16,6 +16,7 @@ from vrts.live.protocol.from_anybody import (
     GoOnFrom,
     HandBack,
     Join,
+    Note,
     Noticed,
     Panic,
     RaiseHand,
@@ -30,6 +31,7 @@ from vrts.live.rooms.audience import EVERYBODY, Audience
 from vrts.live.rooms.hub import DISK_HELP, NO_DISK, Hub
 from vrts.live.rooms.keeping import LOG_FULL, LOG_HELP, control_changed, say
 from vrts.live.rooms.member import Member
+from vrts.live.rooms.noting import put_note
 from vrts.live.rooms.private.branching import branch, end_earlier
 from vrts.live.rooms.process import SessionProcess
 from vrts.live.rooms.room import Room
@@ -81,6 +83,8 @@ async def obey(hub: Hub, sessions: Sessions, member: Member, message: FromClient
         case Noticed():
             if hub.announcement is not None and hub.announcement.id == message.id:
                 hub.announcement.noticed(member.account.id, closed=message.closed)
+        case Note():
+            await put_note(hub, room, member, message.text, now)
         case AskReach():
             _ask_reach(room, member, message, now)
         case AskProgram():

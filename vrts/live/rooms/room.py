@@ -13,7 +13,16 @@ from vrts.live.door import binary_frame, text_frame
 from vrts.live.looking.blocks import Blocks
 from vrts.live.protocol.coding import encode
 from vrts.live.protocol.fields import Role
-from vrts.live.protocol.from_server import Chat, Control, Message, NoSession, Now, People, Stopped
+from vrts.live.protocol.from_server import (
+    Chat,
+    Control,
+    Message,
+    NoSession,
+    Noted,
+    Now,
+    People,
+    Stopped,
+)
 from vrts.live.protocol.listed import Person, RoomEntry
 from vrts.live.rooms.audience import EVERYBODY, Audience
 from vrts.live.rooms.control import ControlRight
@@ -56,6 +65,8 @@ class Room:
 
     kept: KeptRoom
     number: int = 0  # last reliable number
+    notes: list[Noted] = field(default_factory=list[Noted])  # of the session, in order
+    came: set[int] = field(default_factory=set[int])  # accounts whose coming the log has
     session: int = 0
     process: SessionProcess | None = None
     task: str = ""  # title
@@ -141,6 +152,7 @@ class Room:
         ]
         self.chat.clear()
         self.chat.extend(kept)
+        self.notes = [note for note in self.notes if note.name != name]
         self._told.clear()
         self._bytes = 0
 

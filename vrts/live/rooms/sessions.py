@@ -33,6 +33,7 @@ from vrts.live.rooms.entering import settle
 from vrts.live.rooms.hub import Hub
 from vrts.live.rooms.keeping import announce, keep_soon, log_soon, record, stamped
 from vrts.live.rooms.member import FULL_RATE, Member
+from vrts.live.rooms.noting import forget_notes, remember_notes
 from vrts.live.rooms.process import Head, SessionProcess
 from vrts.live.rooms.room import PANIC, Asked, Room
 from vrts.live.rooms.wall import learn_bodies
@@ -236,6 +237,8 @@ class Sessions:
                 scene = hashlib.sha256(process.scene).hexdigest()
                 if head.carried_s is None:
                     room.logged = 0
+                    room.notes.clear()
+                    room.came = {member.account.id for member in room.members.values()}
                     what: dict[str, object] = {"scene": room.kept.scene, "scene_sha256": scene}
                     what |= {"controller": head.controller}
                     what |= {"controller_sha256": head.controller_sha256}
@@ -243,6 +246,8 @@ class Sessions:
                 else:
                     what = {"at_s": head.carried_s, "vrts": __version__}
                     record(self._hub, room, "carry_on", None, what)
+                    if not room.notes:
+                        self._hub.spawn(remember_notes(self._hub, room))
                     self._hub.spawn(_empty_earlier(Path(process.start.folder), room.id))
                 if head.anew:
                     self._hub.spawn(self._say_anew(room, head.anew))
@@ -279,6 +284,8 @@ class Sessions:
             room.show_stopped(Stopped(time.time(), asked.person, asked.name, role))
         if asked.kind in JUMPS:
             room.frame = b""
+            if head.accepted:
+                forget_notes(room, asked)
         if asked.kind == "keep":
             member = room.members.get(asked.person)
             if member is not None and not head.accepted:

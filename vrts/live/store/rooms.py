@@ -89,6 +89,27 @@ def said_to_all(connection: sqlite3.Connection, room: str) -> list[tuple[float, 
     return rows[::-1]
 
 
+class KeptNote(NamedTuple):
+    """A note at a moment of a session."""
+
+    at_s: float
+    name: str
+    text: str  # JSON
+
+
+def notes_of(connection: sqlite3.Connection, room: str) -> list[KeptNote]:
+    """Return the notes of a room's last session; those of who was purged are gone."""
+    rows = connection.execute(
+        "SELECT at_s, log_name.name, text FROM log JOIN log_text USING (room, seq)"
+        " JOIN log_name ON log_name.room=log.room AND log_name.account=log_text.account"
+        " WHERE log.room=?1 AND kind='note'"
+        " AND seq>(SELECT coalesce(max(seq), 0) FROM log WHERE room=?1 AND kind='begin')"
+        " ORDER BY seq",
+        (room,),
+    )
+    return [KeptNote._make(row) for row in rows]
+
+
 def next_number(connection: sqlite3.Connection, name: str) -> int:
     """Return a number that was never returned before, from 1."""
     (value,) = connection.execute(

@@ -1,6 +1,7 @@
 // What the server tells, put where it belongs.
 
 const MOST_CHAT = 500;
+const MOST_NOTES = 200;
 const MOST_EVENTS = 500;
 const MOST_CONTACTS = 300;
 const MOST_OUTPUT = 20_000; // characters
@@ -31,6 +32,7 @@ export class Intake {
         break;
       case "snapshot":
         store.set({ room: message.room, rooms: message.rooms, scenes: message.scenes, noSession: null });
+        store.set({ notes: message.notes });
         if (message.chat.length) store.set({ chat: message.chat });
         this.state(message);
         break;
@@ -39,6 +41,7 @@ export class Intake {
       case "people": store.set({ people: message.people, barred: message.barred, muted: message.muted }); break;
       case "control": store.set({ control: /** @type {any} */ (message) }); break;
       case "chat": store.set({ chat: [...store.now.chat, /** @type {any} */ (message)].slice(-MOST_CHAT) }); break;
+      case "noted": store.set({ notes: [...store.now.notes, /** @type {any} */ (message)].slice(-MOST_NOTES) }); break;
       case "now": store.set({ status: message.status }); break;
       case "event": this.event(message.event); break;
       case "wall": store.set({ wall: message.rooms, projector: message.projector }); break;
@@ -90,7 +93,10 @@ export class Intake {
         store.set({ contacts: merged(store.now.contacts, event.contacts.map(heard)), near: merged(store.now.near, event.near.map(heard)) });
         break;
       }
-      case "began": this.heard.jumped(); break;
+      case "began":
+        this.heard.jumped();
+        store.set({ notes: store.now.notes.filter(({ at_s: at }) => at < event.time_s) });
+        break;
     }
   }
 }

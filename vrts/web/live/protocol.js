@@ -11,6 +11,7 @@ export const FROM_CLIENT = {
   raise_hand: ["up"],
   say: ["text", "private", "to"],
   noticed: ["id", "closed"],
+  note: ["text"],
   reach: ["of", "position_m", "oat_rad", "straight"],
   program: ["of", "name"],
   go_on_from: ["of", "at_s"],
@@ -55,10 +56,11 @@ export const ACTIONS = {
 /** What the server sends. */
 export const FROM_SERVER = {
   welcome: ["you", "name", "supervisor", "room", "resume", "resumed", "rate", "version"],
-  snapshot: ["room", "rooms", "scenes", "number", "session", "scene_url", "state", "chat"],
+  snapshot: ["room", "rooms", "scenes", "number", "session", "scene_url", "state", "chat", "notes"],
   people: ["people", "barred", "muted"],
   control: ["holder", "lease", "queue", "locked", "frozen", "chat", "turn_s", "idle_s", "ends"],
   chat: ["number", "at", "person", "name", "text", "private", "to", "role"],
+  noted: ["number", "at_s", "name", "text"],
   event: ["number", "event"],
   now: ["status"],
   state: ["session", "scene_url", "state"],
@@ -96,6 +98,7 @@ export const FROM_SESSION = {
 export const VERSION = 1;
 export const LONGEST_PROGRAM = 200_000; // characters of an uploaded file
 export const LONGEST_CHAT = 1000; // characters
+export const LONGEST_NOTE = 200; // characters
 
 /**
  * @typedef {{type: string, [field: string]: any}} Message
@@ -119,6 +122,7 @@ export const LONGEST_CHAT = 1000; // characters
  *   deepest: number, point: number[], held: string, line: number, depthMm?: number, distanceMm?: number,
  *   heard?: number}} Contact `heard`: session time at which the page learnt of it [s]
  * @typedef {{time_s: number, kind: string, text: string, program: string, line: number}} Happened
+ * @typedef {{number: number, at_s: number, name: string, text: string}} Noted
  * @typedef {{points: string, kind: string, text: string, at_s: number | null}} Lost
  * @typedef {{check: string, title: string, kind: string, answer: string, points: string, most: string, text: string}} Part
  * @typedef {{time_s: number, mark: number, total: number, lost: Lost[], parts: Part[]}} Marked

@@ -21,6 +21,7 @@ import { mountHistory } from "../panels/history.js";
 import { mountLead } from "../panels/lead.js";
 import { mountMonitor } from "../panels/monitor.js";
 import { mountNoSession } from "../panels/no_session.js";
+import { mountNotes } from "../panels/notes.js";
 import { mountOverlay } from "../panels/overlay.js";
 import { mountPendant } from "../panels/pendant.js";
 import { mountPeople } from "../panels/people.js";
@@ -71,6 +72,7 @@ export function showRoom(me, wanted) {
   mountPrograms(app);
   mountEditor(app);
   mountHistory(app);
+  mountNotes(app);
   mountChat(app);
   mountPeople(app);
   if (me.supervisor && !me.alone) mountLead(app, mountEntrance(app.toasts, app.store));

@@ -3,6 +3,7 @@
 import { COMMANDING, allow, whyNoCommand } from "../allowed.js";
 import { byId, button, make, onSubmit } from "../dom.js";
 import { look } from "../looking.js";
+import { inText } from "../names.js";
 
 const MOST = 200; // rows
 const PAUSE = 400; // between drawings at least [ms]
@@ -38,7 +39,7 @@ export function mountHistory({ store, world, command, toasts }) {
   }
 
   let waiting = false;
-  store.on(["events", "contacts", "near"], later);
+  store.on(["events", "contacts", "near", "notes"], later);
   document.addEventListener("panel", later);
   function later() {
     if (waiting || panel.hidden) return;
@@ -48,11 +49,12 @@ export function mountHistory({ store, world, command, toasts }) {
 
   function draw() {
     waiting = false;
-    const { events, contacts, near } = store.now;
+    const { events, contacts, near, notes } = store.now;
     const rows = [
       ...events.map((row) => ({ t: row.time_s, kind: row.kind, text: row.text, line: row.line ? `${row.program} ${row.line}` : "" })),
       ...contacts.map((row) => ({ t: row.start, kind: "contact", text: row.text, line: row.line ? String(row.line) : "" })),
       ...near.map((row) => ({ t: row.start, kind: "near", text: row.text, line: row.line ? String(row.line) : "" })),
+      ...notes.map((row) => ({ t: row.at_s, kind: "noted", text: `${inText(row.name)}: ${row.text}`, line: "" })),
     ].sort((a, b) => b.t - a.t).slice(0, MOST);
     none.hidden = rows.length > 0;
     box.hidden = !rows.length;
