@@ -3,9 +3,7 @@
 import { Denied, enter, whoAmI } from "./account.js";
 import { byId } from "./dom.js";
 import { showDoor } from "./pages/door.js";
-import { showProjector } from "./pages/projector.js";
 import { showRoom } from "./pages/room.js";
-import { showWall } from "./pages/wall.js";
 
 /** @returns {Promise<import("./account.js").Me | null>} */
 async function identified() {
@@ -25,15 +23,16 @@ async function identified() {
 }
 
 /** Show the face of the page that the address asks for. @param {import("./account.js").Me} me */
-function begin(me) {
+async function begin(me) {
   byId("enter").hidden = true;
   const wanted = new URLSearchParams(location.search);
-  if (wanted.has("wall")) showWall(me);
-  else if (wanted.has("projector")) showProjector(me);
+  // few ever look at these: nobody else has to fetch them
+  if (wanted.has("wall")) (await import("./pages/wall.js")).showWall(me);
+  else if (wanted.has("projector")) (await import("./pages/projector.js")).showProjector(me);
   else showRoom(me, wanted.get("room") ?? "");
 }
 
-document.addEventListener("entered", (event) => begin(/** @type {CustomEvent} */ (event).detail));
+document.addEventListener("entered", (event) => void begin(/** @type {CustomEvent} */ (event).detail));
 const me = await identified();
-if (me) begin(me);
+if (me) await begin(me);
 else if (byId("enter").hidden) showDoor("", "");

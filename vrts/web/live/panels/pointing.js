@@ -2,30 +2,45 @@
 
 import { COMMANDING, whyNoCommand } from "../allowed.js";
 import { byId } from "../dom.js";
-import { VirtualPointer } from "../pointer.js";
 
 /** @param {import("../pages/room.js").App} app */
-export function mountPointing({ store, connection, world, command }) {
+export function mountPointing({ store, connection, world, command, toasts }) {
   const panel = byId("panel-pointer");
   const place = byId("pointer");
-  /** @type {VirtualPointer | null} */
+  /** @type {import("../pointer.js").VirtualPointer | null} */
   let pointer = null;
+  /** @type {Promise<void> | null} */
+  let coming = null; // its modules: a fifth of the page's own, and most who watch never need them
   let before = ""; // mode of the session
   world.sceneWatchers.push((viewer) => {
     pointer?.dispose();
     pointer = null;
     place.replaceChildren();
-    if (!viewer) return;
-    pointer = new VirtualPointer({
-      viewer, panel: place, state: () => world.state,
-      ask: (question) => connection.ask("reach", { ...question }),
-      go: (action) => command(action),
-    });
-    may();
+    if (!panel.hidden) fetched();
   });
+
+  /** Make the pointer of the scene, once its modules are there. */
+  function fetched() {
+    coming ??= import("../pointer.js").then(({ VirtualPointer }) => {
+      coming = null;
+      if (pointer || !world.viewer) return;
+      pointer = new VirtualPointer({
+        viewer: world.viewer, panel: place, state: () => world.state,
+        ask: (question) => connection.ask("reach", { ...question }),
+        go: (action) => command(action),
+      });
+      may();
+      appear();
+    }, (problem) => {
+      coming = null; // the next time that the tab is opened they are asked for again
+      toasts.warn(`the pointer could not be loaded: ${problem.message}`);
+    });
+  }
+
   document.addEventListener("panel", (event) => {
-    if (/** @type {CustomEvent} */ (event).detail === "panel-pointer") appear();
-    else pointer?.show(false);
+    if (/** @type {CustomEvent} */ (event).detail !== "panel-pointer") pointer?.show(false);
+    else if (pointer) appear();
+    else fetched();
   });
   world.watchers.push(appear);
 
