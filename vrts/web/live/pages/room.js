@@ -12,19 +12,15 @@ import { Store } from "../store.js";
 import { Toasts } from "../toasts.js";
 import { World } from "../world.js";
 import { backToLive } from "../looking.js";
-import { mountPast } from "../past/past.js";
 import { mountEditor } from "../editor/panel.js";
 import { mountButtons } from "../panels/buttons.js";
 import { mountChat } from "../panels/chat.js";
-import { mountEntrance } from "../panels/entrance.js";
 import { mountHistory } from "../panels/history.js";
-import { mountLead } from "../panels/lead.js";
 import { mountMonitor } from "../panels/monitor.js";
 import { mountNoSession } from "../panels/no_session.js";
 import { mountNotes } from "../panels/notes.js";
 import { mountOverlay } from "../panels/overlay.js";
 import { mountPendant } from "../panels/pendant.js";
-import { mountPeople } from "../panels/people.js";
 import { mountPointing } from "../panels/pointing.js";
 import { mountPrograms } from "../panels/programs.js";
 import { mountSettings, wantedRate } from "../panels/settings.js";
@@ -62,7 +58,7 @@ export function showRoom(me, wanted) {
   mountSelection(app.world);
   mountOverlay(app);
   mountStatus(app);
-  mountPast(app);
+  later(app, async () => (await import("../past/past.js")).mountPast(app));
   mountTabs(app);
   mountTask(app);
   mountMonitor(app);
@@ -74,10 +70,20 @@ export function showRoom(me, wanted) {
   mountHistory(app);
   mountNotes(app);
   mountChat(app);
-  mountPeople(app);
-  if (me.supervisor && !me.alone) mountLead(app, mountEntrance(app.toasts, app.store));
+  if (!me.alone) later(app, async () => (await import("../panels/people.js")).mountPeople(app));
+  if (me.supervisor && !me.alone) {
+    later(app, async () => {
+      const [{ mountLead }, { mountEntrance }] = await Promise.all([import("../panels/lead.js"), import("../panels/entrance.js")]);
+      mountLead(app, mountEntrance(app.toasts, app.store));
+    });
+  }
   mountSettings(app);
   bindKeys(app);
+}
+
+/** Add a part of the page that the first picture does not need. @param {App} app @param {() => Promise<void>} part */
+function later({ toasts }, part) {
+  part().catch((problem) => toasts.warn(`a part of the page could not be loaded: ${problem.message}`));
 }
 
 /**
