@@ -1,5 +1,6 @@
 """Notes that people put at a moment of a session: logged, and told to everybody in the room."""
 
+import asyncio
 from typing import Final
 
 import msgspec
@@ -10,7 +11,7 @@ from vrts.live.protocol.coding import encode
 from vrts.live.protocol.from_server import Noted
 from vrts.live.refusal import NotObeyed
 from vrts.live.rooms.hub import Hub
-from vrts.live.rooms.keeping import LOG_FULL, LOG_HELP, log, stamped
+from vrts.live.rooms.keeping import LOG_FULL, LOG_HELP, log_soon, stamped
 from vrts.live.rooms.member import Member
 from vrts.live.rooms.room import Asked, Room
 from vrts.live.store.rooms import KeptNote, notes_of
@@ -22,7 +23,7 @@ class _Text(msgspec.Struct, frozen=True):
     text: str = ""
 
 
-async def put_note(hub: Hub, room: Room, member: Member, text: str, now: float) -> None:
+def put_note(hub: Hub, room: Room, member: Member, text: str, now: float) -> None:
     """Keep a note at this moment, then tell it.
 
     Raises:
@@ -43,8 +44,8 @@ async def put_note(hub: Hub, room: Room, member: Member, text: str, now: float) 
         raise NotObeyed("note", "a note needs a word")
     account, at_s = member.account, round(reached.time_s, 3)
     what = encode(_Text(words)).decode()
-    await log(hub, stamped(room, "note", account, what, at_s=at_s, accepted=True))
-    _tell(room, at_s, account.name, words)
+    entry = stamped(room, "note", account, what, at_s=at_s, accepted=True)
+    hub.spawn(_tell(room, log_soon(hub, entry), at_s, account.name, words))
 
 
 async def remember_notes(hub: Hub, room: Room) -> None:
@@ -63,7 +64,11 @@ def forget_notes(room: Room, asked: Asked) -> None:
     room.notes = [note for note in room.notes if note.at_s <= to_s] if to_s else []
 
 
-def _tell(room: Room, at_s: float, name: str, text: str) -> None:
+async def _tell(
+    room: Room, written: "asyncio.Future[None]", at_s: float, name: str, text: str
+) -> None:
+    """Tell a note once it is written."""
+    await written
     number = room.next_number()
     noted = Noted(number, at_s, name, text)
     room.notes = [*room.notes, noted][-MOST_NOTES:]

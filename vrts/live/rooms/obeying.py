@@ -84,7 +84,7 @@ async def obey(hub: Hub, sessions: Sessions, member: Member, message: FromClient
             if hub.announcement is not None and hub.announcement.id == message.id:
                 hub.announcement.noticed(member.account.id, closed=message.closed)
         case Note():
-            await put_note(hub, room, member, message.text, now)
+            put_note(hub, room, member, message.text, now)
         case AskReach():
             _ask_reach(room, member, message, now)
         case AskProgram():
