@@ -5,8 +5,9 @@ from collections.abc import Iterator
 import pytest
 from playwright.sync_api import Browser
 
-from tests.browser.support_sessions import Desk, student, supervisor
+from tests.browser.support_sessions import Desk, desk, student, supervisor
 from tests.support_live import LiveServer
+from vrts.live.new_account import add_user
 
 pytestmark = [pytest.mark.browser, pytest.mark.live]
 
@@ -15,7 +16,9 @@ LEFTWARD = "שרה כהן"
 
 @pytest.fixture(scope="module")
 def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[LiveServer]:
-    with LiveServer(tmp_path_factory.mktemp("live")) as server:
+    folder = tmp_path_factory.mktemp("live")
+    add_user(folder, "Dr. Lee", "correct horse", supervisor=True)
+    with LiveServer(folder) as server:
         yield server
 
 
@@ -177,3 +180,24 @@ def test_the_empty_line_says_what_the_monitor_waits_for(student_: Desk) -> None:
     ):
         student_.type(line)
         student_.until(f"{hint}.startsWith('{expected}')")
+
+
+def test_the_admin_page_is_for_supervisors_with_an_account(
+    browser: Browser, server: LiveServer, lead: Desk
+) -> None:
+    page = lead.context.new_page()
+    page.goto(f"http://{server.host}/admin")
+    page.wait_for_selector("#admin [role=alert]:text('Only a supervisor with an account')")
+    page.close()
+    admin = desk(browser, server, "/admin", width=390)
+    admin.page.click("summary:text('Log in with an account')")
+    admin.page.fill("[name=user]", "Dr. Lee")
+    admin.page.fill("[name=password]", "correct horse")
+    admin.page.press("[name=password]", "Enter")
+    text = "document.getElementById('admin-blocks').textContent"
+    for words in ("all is well", "Class code", "of 5000", "No copy of the database"):
+        admin.until(f"(document.getElementById('admin').textContent).includes('{words}')")
+    admin.until(f"/Sessions1 of 1 run/.test({text})")
+    assert admin.value("document.documentElement.scrollWidth") <= 390, "nothing stands out"
+    assert admin.complaints()[1:] == [], "and the first: nobody was logged in"
+    admin.context.close()

@@ -1,9 +1,12 @@
 """What is done to a server's folder from the command line, while it runs or not."""
 
+import contextlib
+import json
 import shutil
 import time
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Final
 
 from vrts.live.lasting.folder_lock import held
 from vrts.live.session.growing.folder import FILE, OFF
@@ -13,6 +16,8 @@ from vrts.live.store.database import backup, opened
 from vrts.live.store.seals.sealing import seals_for
 from vrts.live.store.verifying import Finding
 from vrts.pipeline.files import CannotRead
+
+LAST_BACKUP: Final = "last-backup.json"  # in the folder: when, and how large
 
 
 def save_backup(folder: Path, target: Path) -> None:
@@ -24,6 +29,18 @@ def save_backup(folder: Path, target: Path) -> None:
     if target.resolve() == (folder / DATABASE).resolve():
         raise CannotRead(f"`{target}` is the database itself", ("name another file",))
     backup(folder / DATABASE, target)
+    note = {"at": time.time(), "bytes": target.stat().st_size}
+    with contextlib.suppress(PermissionError):  # who may only read the folder may copy it too
+        (folder / LAST_BACKUP).write_text(json.dumps(note), "ascii")
+
+
+def last_backup(folder: Path) -> tuple[float, int]:
+    """Return when a folder's database was last copied, and how large that is; zeros: never."""
+    try:
+        note = json.loads((folder / LAST_BACKUP).read_text("ascii"))
+        return float(note["at"]), int(note["bytes"])
+    except (OSError, ValueError, TypeError, KeyError):
+        return 0.0, 0  # none was made, or somebody changed the note: it says nothing then
 
 
 def purge_user(folder: Path, name: str, key: Path | None = None) -> int:

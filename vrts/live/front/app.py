@@ -30,6 +30,7 @@ from vrts.live.rooms.sessions import Sessions
 from vrts.live.settings import DATABASE, Settings
 from vrts.live.store.database import Database
 from vrts.live.store.waiting.journal import NO_ROOM
+from vrts.live.watching.admin import AdminPage
 from vrts.live.watching.health import HealthPage
 
 
@@ -58,6 +59,8 @@ def application(
     pages = Pages(hub, StaticFiles())
     entrances = EntrancePages(hub, pages)
     past = PastPages(hub, pages.who)
+    health = HealthPage(hub)
+    admin = AdminPage(hub, pages.who, health)
 
     @asynccontextmanager
     async def lifespan(_: Starlette) -> AsyncGenerator[None, None]:
@@ -108,7 +111,9 @@ def application(
             Route("/replay/{room}", pages.replay),
             Route("/link", entrances.link, methods=["POST"]),
             Route("/code", entrances.code),
-            Route("/health", HealthPage(hub).answer),
+            Route("/health", health.answer),
+            Route("/admin", pages.page),
+            Route("/admin/now", admin.now),
             Route("/code.svg", entrances.code_picture),
             Route("/ways", entrances.ways),
             Route("/ways", entrances.change, methods=["POST"]),

@@ -1,7 +1,6 @@
 """Whether a server is well: a few numbers for a monitoring program, about nobody."""
 
 import asyncio
-import sqlite3
 import time
 from typing import Final
 
@@ -10,6 +9,7 @@ from starlette.requests import Request
 from starlette.responses import Response
 
 from vrts.live.rooms.hub import Hub
+from vrts.live.store.database import Connection, Failed
 
 FRESH_S: Final = 5.0  # an answer is given again for so long: asking often costs nothing
 WRITE_S: Final = 3.0  # how long a write may take
@@ -42,14 +42,18 @@ class HealthPage:
 
     async def answer(self, _: Request) -> Response:
         """Return the answer."""
-        async with self._looking:  # one look, however many ask
-            if not self._looked or time.monotonic() - self._asked > FRESH_S:
-                self._writes, self._looked = await self._written(), True
-                self._asked = time.monotonic()
+        await self.look()
         health = self.now()
         status = 200 if health.status == "ok" else 503
         data = msgspec.json.encode(health)
         return Response(data, status, media_type="application/json")
+
+    async def look(self) -> None:
+        """Try whether the database can be written, if that was not done a moment ago."""
+        async with self._looking:  # one look, however many ask
+            if not self._looked or time.monotonic() - self._asked > FRESH_S:
+                self._writes, self._looked = await self._written(), True
+                self._asked = time.monotonic()
 
     def now(self) -> Health:
         """Return what is known now; whether the database can be written was tried lately."""
@@ -71,12 +75,12 @@ class HealthPage:
         job = self._hub.database.do(_write)
         try:
             await asyncio.wait_for(job, WRITE_S)
-        except (sqlite3.Error, TimeoutError):
+        except (Failed, TimeoutError):
             return False
         return True
 
 
-def _write(connection: sqlite3.Connection) -> None:
+def _write(connection: Connection) -> None:
     connection.execute(
         "INSERT INTO counter VALUES ('health', 1) ON CONFLICT (name) DO UPDATE SET value=value+1"
     )

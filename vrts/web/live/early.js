@@ -11,6 +11,6 @@ const AS_THREE = {
 };
 
 applyTheme(chosenTheme());
-if (!new URLSearchParams(location.search).has("wall")) {
+if (location.pathname !== "/admin" && !new URLSearchParams(location.search).has("wall")) {
   /** @type {HTMLCanvasElement | null} */ (document.querySelector(VIEW))?.getContext("webgl2", AS_THREE);
 }

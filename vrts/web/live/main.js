@@ -27,7 +27,8 @@ async function begin(me) {
   byId("enter").hidden = true;
   const wanted = new URLSearchParams(location.search);
   // few ever look at these: nobody else has to fetch them
-  if (wanted.has("wall")) (await import("./pages/wall.js")).showWall(me);
+  if (location.pathname === "/admin") (await import("./pages/admin.js")).showAdmin();
+  else if (wanted.has("wall")) (await import("./pages/wall.js")).showWall(me);
   else if (wanted.has("projector")) (await import("./pages/projector.js")).showProjector(me);
   else showRoom(me, wanted.get("room") ?? "");
 }

@@ -10,16 +10,17 @@ const UNANSWERED = 1_500; // after which a press of PANIC counts as not arrived 
 /**
  * @param {HTMLElement} bar below which they stand
  * @param {{store: import("./store.js").Store, connection: import("./connection.js").Connection}} app
- * @param {{counts?: boolean}} [how] `counts`: whether a supervisor sees how many have seen it
+ * @param {{counts?: boolean, stops?: boolean}} [how] `counts`: whether a supervisor sees how many have seen it; `stops`: whether
+ *   the page is about one arm
  * @returns {{pressed: () => void}} to be told that PANIC was pressed here
  */
-export function mountNotices(bar, { store, connection }, { counts = true } = {}) {
+export function mountNotices(bar, { store, connection }, { counts = true, stops = true } = {}) {
   // there from the beginning, so that screen readers read out what comes into them
   const announced = make("section", { class: "notice announced", role: "alert", hidden: true });
   const stopped = make("section", { class: "notice stopped", role: "alert", hidden: true });
   bar.append(make("div", { class: "notices" }, stopped, announced));
   announcement(announced, store, connection, counts);
-  return { pressed: stop(stopped, store) };
+  return { pressed: stops ? stop(stopped, store) : () => undefined };
 }
 
 /**

@@ -42,7 +42,7 @@ export function showWall(me) {
   });
   connection.rate = 1;
   store.set({ supervisor: true });
-  mountNotices(barOf("wall"), { store, connection });
+  mountNotices(barOf("wall"), { store, connection }, { stops: false });
   const stills = new Stills();
   /** @type {Map<string, Card>} */
   const cards = new Map();
