@@ -73,7 +73,7 @@ def test_another_code_is_on_the_wall_at_once_and_a_link_ends(
     assert closed["code"] == "kicked"
     boss.until(f"{CODE} === ''")
     assert wall.locator("#wall-code").inner_text() == "Class code"
-    boss.page.get_by_text("New class code").click()
+    boss.page.get_by_role("button", name="New class code").click()
     boss.until(f"Boolean({CODE})")
     assert anna.value("vrts.store.now.connection") == "open", "who came by the first one stays"
     assert boss.complaints() == []

@@ -1,6 +1,7 @@
 """One WebSocket: who it is, the first message, then one message after another."""
 
 import asyncio
+import time
 from typing import Any, Final
 
 import msgspec
@@ -16,7 +17,7 @@ from vrts.live.protocol.from_clients import FromClient
 from vrts.live.protocol.from_server import Closed, Refused
 from vrts.live.protocol.from_supervisors import ExportLog
 from vrts.live.refusal import NotObeyed
-from vrts.live.rooms.entering import drop, enter
+from vrts.live.rooms.entering import drop, enter, make_way_for_one
 from vrts.live.rooms.hub import DISK_HELP, NO_DISK, Hub
 from vrts.live.rooms.member import Member
 from vrts.live.rooms.obeying import obey
@@ -48,7 +49,7 @@ async def serve_socket(
         refusal = refused(401, "login", "nobody is logged in", "open the join link again")
         await websocket.send_denial_response(refusal)
         return
-    if hub.stopping or sum(m.door is not None for m in hub.everybody()) >= limits.ALL_CONNECTIONS:
+    if hub.stopping or not make_way_for_one(hub):
         refusal = refused(503, "limit", "the server takes no more connections", "come back later")
         await websocket.send_denial_response(refusal)
         return
@@ -62,6 +63,7 @@ async def serve_socket(
     if member is None:
         return
     member.browsers = browsers
+    member.address = websocket.client.host if websocket.client else ""
     try:
         await _listen(hub, sessions, websocket, member, door)
     finally:
@@ -96,6 +98,7 @@ async def _listen(
     while (text := await _receive(websocket)) is not None:
         if member.door is not door:
             return  # sent away, or back on another connection
+        member.heard = time.monotonic()
         of = 0
         try:
             message = decode(text)

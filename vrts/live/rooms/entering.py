@@ -8,6 +8,8 @@ import msgspec
 
 from vrts.live import limits
 from vrts.live.door import Door, text_frame
+from vrts.live.entrance.crowding import Connected, gives_way
+from vrts.live.entrance.entries import group
 from vrts.live.protocol.coding import encode
 from vrts.live.protocol.from_anybody import Join
 from vrts.live.protocol.from_server import Closed, Rooms, Snapshot, Welcome
@@ -109,6 +111,25 @@ def drop(hub: Hub, member: Member, door: Door) -> None:
     if room is not None:
         room.control.away(member.id, member.away_since)
         room.tell_people_soon()
+
+
+def make_way_for_one(hub: Hub) -> bool:
+    """Make sure that the server can take one more connection; return whether it can."""
+    here = {member.id: member for member in hub.everybody() if member.door is not None}
+    if len(here) < limits.ALL_CONNECTIONS:
+        return True
+    place = gives_way([_connected(hub, member) for member in here.values()])
+    if place is None:
+        return False
+    send_away(hub, here[place], "crowded", "very many came from where you are: enter again")
+    return True
+
+
+def _connected(hub: Hub, member: Member) -> Connected:
+    control = hub.rooms[member.room].control
+    keeps = member.supervisor or member.id == control.holder or member.id in control.queue
+    address = group(member.address)
+    return Connected(member.id, member.account.id, address, member.heard, keeps)
 
 
 def make_way(hub: Hub, room: Room, account: Account) -> None:

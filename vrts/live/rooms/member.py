@@ -28,6 +28,7 @@ class Member:
     seen: int | None = None  # number after which a returning client is told what it missed
     away_since: float = 0.0
     came: float = 0.0  # when the connection began, of a clock that only goes on [s]
+    address: str = ""  # from where the connection comes; never kept
     heard: float = 0.0  # when it last said something
     hand: bool = False
     wall: bool = False  # watches the wall

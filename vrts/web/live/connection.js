@@ -7,7 +7,7 @@ const FIRST_PAUSE = 250; // before coming back [ms]
 const LONGEST_PAUSE = 8_000; // [ms]
 const SILENCE = 12_000; // without a frame, after which the connection counts as dead [ms]
 const EPOCH = Date.UTC(2026, 0, 1);
-const FINAL = new Set(["kicked", "room closed", "room", "replaced", "version", "left"]); // not to be followed by coming back
+const FINAL = new Set(["kicked", "room closed", "room", "replaced", "version", "crowded", "left"]); // not to be followed by coming back
 
 /** @typedef {import("./protocol.js").Message} Message */
 

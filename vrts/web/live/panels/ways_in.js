@@ -19,8 +19,9 @@ export function waysIn(store, toasts, entrance) {
   const list = make("ul", { class: "rooms", "aria-label": "Ways in" });
   const counts = make("p", { class: "soft" });
   const from = make("ul", { class: "soft", "aria-label": "Entries by address" });
+  const fresh = button("New class code", () => void change({ do: "renew" }), { hidden: true });
   const more = make("details", { class: "block", id: "ways-in" }, make("summary", { text: "Ways in" }), list, counts, from,
-    make("div", { class: "row" }, button("New class code", () => void renewCode()), button("Look again", () => void look())));
+    make("div", { class: "row" }, fresh, button("Look again", () => void look())));
   more.addEventListener("toggle", () => more.open && void look());
   window.setInterval(() => more.open && !document.hidden && void look(), MINUTE);
   store.on(["code"], () => more.open && void look());
@@ -32,6 +33,7 @@ export function waysIn(store, toasts, entrance) {
 
   /** @param {Ways} ways */
   function show(ways) {
+    fresh.hidden = Boolean(ways.code);
     const focused = document.activeElement?.getAttribute("data-do");
     list.replaceChildren(...ways.ways.map((way) => row(way, ways)));
     if (focused) /** @type {HTMLElement | null} */ (list.querySelector(`[data-do="${CSS.escape(focused)}"]`))?.focus();
@@ -43,7 +45,7 @@ export function waysIn(store, toasts, entrance) {
   function row(way, ways) {
     const name = way.kind === "code" ? `Class code ${ways.code}` : way.kind === "link" ? `Link into ${way.room || "a room that was closed"}` : "Supervisor's link, once";
     const since = way.made ? `since ${new Date(way.made * 1000).toLocaleString([], { dateStyle: "medium", timeStyle: "short" })}` : "";
-    const wrong = way.kind === "code" ? `${ways.wrong} wrong guesses so far` : "";
+    const wrong = way.kind === "code" ? `at most ${ways.wrong} wrong guesses so far` : "";
     const act = (/** @type {string} */ text, /** @type {() => void} */ click) =>
       button(text, click, { "data-do": `${text} ${way.id}`, "aria-label": `${text}: ${name}` });
     const renew = way.kind === "code" || (way.kind === "link" && way.room)
@@ -53,11 +55,6 @@ export function waysIn(store, toasts, entrance) {
       make("div", { class: "row small" }, ...renew,
         act("End", () => window.confirm(`${name}: let nobody in by it any more? Those who are in stay.`) && void change({ do: "end", id: way.id })),
         ...(way.inside ? [act("End and send away", () => window.confirm(`${name}: let nobody in by it any more, and send away all who came in by it (${way.inside})?`) && void change({ do: "end", id: way.id, away: true }))] : [])));
-  }
-
-  function renewCode() {
-    if (store.now.code.code && !window.confirm("Have another class code? The one of now lets nobody in any more; those who are in stay.")) return;
-    void change({ do: "renew" });
   }
 
   /** @param {{do: "renew"|"end", id?: string, away?: boolean}} what @param {string} [room] */
