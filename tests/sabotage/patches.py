@@ -36,6 +36,20 @@ __all__ = ["PATCHES", "Patch"]
 
 PATCHES: tuple[Patch, ...] = (
     Patch(
+        "a program is saved over a version that nobody has seen",
+        "vrts/live/store/programs.py",
+        "if newest.number != seen:",
+        "if newest.number < seen:",
+        ("tests/unit/live/store/test_programs.py",),
+    ),
+    Patch(
+        "a language server outlives the editor that it helped",
+        "vrts/live/front/help_socket.py",
+        "await helper.end()",
+        "pass",
+        ("tests/unit/live/editing/test_help.py",),
+    ),
+    Patch(
         "a line that stands in a program again is taken for the one above",
         "vrts/lang/steps/step_parser.py",
         "moved(statement, at - before)",

@@ -40,7 +40,8 @@ export const theme = EditorView.theme({
   ".cm-panels": { backgroundColor: "var(--paper)", color: "var(--ink)" },
   ".cm-panels-bottom": { borderTop: "1px solid var(--line)" },
   ".cm-panel.cm-panel-lint ul": { maxHeight: "9rem" },
-  ".cm-panel.cm-panel-lint ul [aria-selected]": { backgroundColor: "var(--blue-soft)" },
+  ".cm-panel.cm-panel-lint ul [aria-selected], .cm-panel.cm-panel-lint ul:focus [aria-selected]": { backgroundColor: "var(--paper)", color: "var(--ink)", outline: "2px solid var(--blue)", outlineOffset: "-2px" },
+  ".cm-panel-lint .cm-diagnosticAction": { display: "none" }, // a button in an option is none for screen readers: Ctrl+. mends
   ".cm-panel button[name=close]": { color: "var(--ink)", minWidth: "26px", minHeight: "26px", fontSize: "16px" },
   ".cm-panel.cm-search": { padding: "5px 26px 5px 8px", fontSize: "13px" },
   ".cm-textfield": { font: "inherit", fontSize: "13px", color: "var(--ink)", backgroundColor: "var(--code)", border: "1px solid var(--soft)", borderRadius: "6px", padding: "2px 6px", minHeight: "26px" },

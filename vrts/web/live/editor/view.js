@@ -60,7 +60,7 @@ export function makeView(host, help, told) {
     language, completion(help), hover(help), signature(help), atWork, theme,
     EditorView.domEventHandlers({ beforeinput: typedOver }),
     EditorState.allowMultipleSelections.of(false),
-    EditorView.contentAttributes.of({ "aria-label": "Program. Escape, then Tab leaves the editor.", spellcheck: "false", autocapitalize: "off", autocorrect: "off" }),
+    EditorView.contentAttributes.of({ "aria-label": "Program. Escape, then Tab leaves the editor.", tabindex: "0", spellcheck: "false", autocapitalize: "off", autocorrect: "off" }),
     Prec.high(keymap.of([
       { key: "Tab", run: acceptCompletion },
       { key: "Escape", run: closeSignature },
