@@ -13,6 +13,7 @@ export const STATES = { connecting: "connecting …", open: "connected", waiting
 export function mountTop({ store, connection, toasts, panic }) {
   let asked = -Infinity; // when control was asked for or handed back here [ms]
   let had = false;
+  let who = ""; // one is another in another room
   /** @type {(string | Node)[]} who has control, in words */
   let said = [];
   byId("panic").addEventListener("click", panic);
@@ -57,11 +58,12 @@ export function mountTop({ store, connection, toasts, panic }) {
     const waits = place >= 0;
     write(byId("control-button"), mine ? "Hand back" : waits ? "Leave the queue" : control.holder || control.locked ? "Queue for control" : "Take control");
     byId("control-button").classList.toggle("main", !mine && !waits && !control.holder && !control.locked);
-    if (mine !== had && performance.now() - asked > JUST_NOW && !alone) {
+    if (mine !== had && you === who && performance.now() - asked > JUST_NOW && !alone) {
       if (mine) toasts.tell("you have control now");
       else toasts.warn("you no longer have control: you did nothing for too long, your turn is over, or the supervisor took it");
     }
     had = mine;
+    who = you;
     byId("panic").hidden = !mine && !supervisor;
     document.body.classList.toggle("operates", mine);
     const holder = people.find((person) => person.id === control.holder)?.name;

@@ -43,7 +43,9 @@ export class Bar {
     });
     this.lane = make("div", { class: "past-marks", "aria-hidden": "true" });
     this.kept = make("span", { class: "past-kept", hidden: true });
-    this.clock = make("output", { class: "past-clock", id: "past-clock", for: "past-time" });
+    this.hour = make("span");
+    this.ago = make("span");
+    this.clock = make("output", { class: "past-clock", id: "past-clock", for: "past-time" }, this.hour, " ", this.ago);
     this.playing = icon("play", "Play the past (space)", wishes.play, "past-play");
     this.jumps = make("select", { id: "past-jump", "aria-label": "What to jump to" }, ...Object.entries(JUMPS)
       .map(([value, [text]]) => make("option", { value, text })));
@@ -109,7 +111,8 @@ export class Bar {
     if (!this.dragged && this.slider.value !== value) this.slider.value = value;
     const words = t === null ? "live" : ago(now - t);
     this.slider.setAttribute("aria-valuetext", t === null ? "live" : `${clock(t)}, ${words}`);
-    write(this.clock, `${clock(t ?? now)} ${words}`);
+    write(this.hour, clock(t ?? now));
+    write(this.ago, words);
     this.slider.setAttribute("aria-busy", String(loading));
     this.live.disabled = this.branch.disabled = t === null;
     write(this.kept, problem || `kept from ${clock(reaches)} on`);

@@ -26,7 +26,8 @@ export function mountPast({ store, world, toasts, connection }) {
   const words = make("span", { "aria-hidden": "true" }); // it changes all the time: the slider says it when it is asked
   const told = make("span", { class: "unseen", role: "status" });
   byId("view").append(told);
-  sign.append(words, make("button", { type: "button", class: "main", text: "Back to live", title: "Alt+L", click: backToLive }));
+  sign.append(words, make("button", { type: "button", class: "main", text: "Back to live", title: "Alt+L", click: backToLive }),
+    make("button", { type: "button", class: "main past-branch", text: "Go on from here", click: () => void branch() }));
   byId("view").append(sign);
   let playing = false;
   let before = 0; // the page's clock at the last frame [ms]
