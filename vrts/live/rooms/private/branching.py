@@ -15,6 +15,7 @@ from vrts.live.rooms.room import Room
 from vrts.live.rooms.sessions import Sessions
 from vrts.live.store.accounts import Account
 from vrts.live.store.branches import Branch, branch_of
+from vrts.live.store.database import Failed
 from vrts.live.store.rooms import KeptRoom, next_number
 from vrts.live.tokens import new_id
 
@@ -56,6 +57,8 @@ async def branch(hub: Hub, sessions: Sessions, member: Member, at_s: float) -> R
         room = await open_room(hub, kept)
     except LogFault as problem:
         raise NotObeyed("past", str(problem)) from problem
+    except Failed as problem:
+        raise NotObeyed("log", "the room cannot be written: tell the supervisor") from problem
     finally:
         hub.branching.discard(account.id)
     sessions.begin(room)
