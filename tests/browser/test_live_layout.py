@@ -153,3 +153,32 @@ def test_a_browser_without_storage_shows_the_page(anna: Desk) -> None:
     assert anna.value(LOOK) == "table"
     anna.page.click("#fold-desk")
     assert width(anna, "desk") == 0
+
+
+def test_the_pointer_snaps_to_objects_and_two_points_are_measured(anna: Desk) -> None:
+    page = anna.page
+    if not width(anna, "desk"):
+        page.click("#fold-desk")
+    page.click("#tab-pointer")
+    anna.until("document.getElementById('snap-place')?.options.length > 2")
+    page.select_option("#snap-place", "can1_grip")
+    page.click("[aria-label='Put the pointer at the place']")
+    x = "document.querySelector('[data-number=X]').value"
+    anna.until(f"{x} === '800.00'")
+    z = float(page.input_value("[data-number=Z]").replace("−", "-"))
+    page.click("[aria-label='Put the pointer 50 mm above the place']")
+    anna.until(f"Math.abs(+{x.replace('X', 'Z')}.replace('−', '-') - {z + 50}) < 0.02")
+    select = "import('/web/live/selection.js').then((m) => m.select('can2'))"
+    page.evaluate(select)
+    anna.until(f"{x} === '750.00'")
+    page.click("text=Measure")
+    page.select_option("#measure-from", "body base1")
+    page.select_option("#measure-to", "body base2")
+    assert page.inner_text("#measured") == "390.0 mm: dx 150.0, dy 360.0, dz 0.0"
+    page.click("[aria-label^='To: click']")
+    box = page.locator("#canvas").bounding_box()
+    assert box is not None
+    page.click("[data-look=top]")
+    page.mouse.click(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    anna.until("document.getElementById('measure-to').value === 'clicked'")
+    assert "mm: dx" in page.inner_text("#measured")

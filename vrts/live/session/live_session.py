@@ -23,6 +23,7 @@ from vrts.live.session.growing.past import Past
 from vrts.live.session.operator.conversation import Conversation
 from vrts.live.session.operator.folders import Folders
 from vrts.live.session.operator.held_key import HeldKey
+from vrts.live.session.views.places import places_of
 from vrts.live.session.views.showing import Showing
 from vrts.live.session.views.status import runs
 from vrts.live.session.views.task_view import task_view
@@ -93,6 +94,7 @@ class Session:
         if task is not None:
             self.showing.total = float(task.mark.total)
         self.showing.task = self._task
+        self.showing.places = places_of(scene)
         self._acting = Acting(self.growing, self.conversation, self._key, self.showing)
         self._waiting: deque[_Waiting] = deque()
         if memory:

@@ -69,7 +69,7 @@ export class Intake {
     }
     this.bodies.reset(state.bodies);
     this.store.set({
-      session: message.session, sceneUrl: message.scene_url, alive: true, status: state.status, programs: state.programs,
+      session: message.session, sceneUrl: message.scene_url, alive: true, status: state.status, programs: state.programs, places: state.places ?? [],
       contacts: state.contacts, near: state.near, events: state.events, output: state.output,
       task: state.task, marked: state.marked,
     });

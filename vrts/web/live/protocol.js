@@ -92,7 +92,7 @@ export const FROM_SESSION = {
   reached: ["ref", "reachable", "why", "code", "branch", "joints_rad", "way", "touches", "path_m", "method"],
   status: ["time_s", "joints_rad", "location", "hand_m", "program", "mode", "step", "line", "text", "speed",
     "signals", "held", "prompt", "contacts", "checked_s", "mark", "tool", "total"],
-  snapshot: ["ref", "status", "bodies", "programs", "contacts", "near", "events", "output", "task", "marked"],
+  snapshot: ["ref", "status", "bodies", "programs", "contacts", "near", "events", "output", "task", "marked", "places"],
 };
 
 export const VERSION = 1;
@@ -116,6 +116,7 @@ export const LONGEST_NOTE = 200; // characters
  * @typedef {{time_s: number, joints_rad: number[], location: number[], hand_m: number, program: string, mode: string,
  *   step: number, line: number, text: string, speed: number, signals: number[], held: string, prompt: string,
  *   contacts: number, checked_s: number, mark: number | null, tool: number[], total: number}} Status
+ * @typedef {{name: string, body: string, X: number[]}} HandPlace in the frame of its body; without one, in the world
  * @typedef {{body: string, start: number, lie: string, X: number[], support: string | null}} Placed
  * @typedef {{name: string, lines: string[], fault: string, main?: boolean}} Program
  * @typedef {{first: string, second: string, parts: string[], text: string, start: number, end: number,

@@ -30,6 +30,7 @@
  * @property {import("./protocol.js").TaskView | null} task
  * @property {import("./protocol.js").Marked | null} marked the public mark with every lost point
  * @property {import("./protocol.js").Noted[]} notes at moments of the session
+ * @property {import("./protocol.js").HandPlace[]} places where the hand grips and sets down
  * @property {string} output the end of what the monitor shows
  * @property {import("./protocol.js").WallRow[]} wall
  * @property {{code: string, url: string}} code the class code that works now, for supervisors
@@ -43,7 +44,7 @@ function nothing() {
     connection: "connecting", ended: "", you: "", name: "", supervisor: false, alone: false, resets: false, room: null, rooms: [], projector: "",
     scenes: [], session: -1, sceneUrl: "", alive: false, noSession: null, people: [], barred: [], muted: [], chat: [], status: null, programs: [],
     notes: [],
-    contacts: [], near: [], events: [], output: "", task: null, marked: null, wall: [], announced: null, stopped: null, code: { code: "", url: "" },
+    places: [], contacts: [], near: [], events: [], output: "", task: null, marked: null, wall: [], announced: null, stopped: null, code: { code: "", url: "" },
     control: { holder: "", lease: "", queue: [], locked: false, frozen: false, chat: true, turn_s: 0, idle_s: 0, ends: 0 },
   };
 }

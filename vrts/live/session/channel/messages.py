@@ -320,6 +320,14 @@ class Began(News, frozen=True, tag="began"):
     epoch_s: float  # from now on
 
 
+class HandPlace(msgspec.Struct, frozen=True):
+    """Where the hand grips an object, or sets one down."""
+
+    name: str  # "can1_grip"
+    body: str  # in whose frame it is; empty: in the world
+    X: tuple[float, ...]  # of the tool, twelve numbers
+
+
 class Snapshot(News, frozen=True, tag="snapshot"):
     """Everything now."""
 
@@ -333,6 +341,7 @@ class Snapshot(News, frozen=True, tag="snapshot"):
     output: str  # the end of what the terminal shows
     task: Json | None = None  # what the page shows of it (`task_view`)
     marked: Marked | None = None  # None: no task, or not judged yet
+    places: tuple[HandPlace, ...] = ()
 
 
 FromSession = (

@@ -6,6 +6,7 @@ from vrts.check.rules.scheme import TOTAL
 from vrts.engine.memory.events import Answered, Event, ProgramEnded, ProgramStarted, Prompted
 from vrts.ir.entry import entry_among
 from vrts.live.session.channel.messages import (
+    HandPlace,
     Happened,
     Json,
     Marked,
@@ -64,6 +65,7 @@ class Showing:
         self._programs: tuple[StoredProgram, ...] = ()
         self.contacts: list[Json] = []
         self.near: list[Json] = []
+        self.places: tuple[HandPlace, ...] = ()
         self.checked_s = 0.0
         self.marked: Marked | None = None
         self.task: Json | None = None  # what is shown of it
@@ -211,6 +213,7 @@ class Showing:
             self._output,
             self.task,
             self.marked,
+            self.places,
         )
 
 

@@ -9,6 +9,8 @@ export function mountPointing({ store, connection, world, command, toasts }) {
   const place = byId("pointer");
   /** @type {import("../pointer.js").VirtualPointer | null} */
   let pointer = null;
+  /** @type {{box: HTMLElement} | null} */
+  let tools = null;
   /** @type {Promise<void> | null} */
   let coming = null; // its modules: a fifth of the page's own, and most who watch never need them
   let before = ""; // mode of the session
@@ -21,14 +23,16 @@ export function mountPointing({ store, connection, world, command, toasts }) {
 
   /** Make the pointer of the scene, once its modules are there. */
   function fetched() {
-    coming ??= import("../pointer.js").then(({ VirtualPointer }) => {
+    coming ??= Promise.all([import("../pointer.js"), import("../pointing/tools.js")]).then(([{ VirtualPointer }, { mountTools }]) => {
       coming = null;
       if (pointer || !world.viewer) return;
+      tools ??= mountTools({ store, world, pointer: () => pointer });
       pointer = new VirtualPointer({
         viewer: world.viewer, panel: place, state: () => world.state,
         ask: (question) => connection.ask("reach", { ...question }),
         go: (action) => command(action),
       });
+      place.append(tools.box);
       may();
       appear();
     }, (problem) => {
