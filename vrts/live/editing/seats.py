@@ -2,7 +2,7 @@
 
 import asyncio
 import time
-from tempfile import TemporaryDirectory
+from pathlib import Path
 from typing import Final
 
 from vrts.live.limits import Bucket
@@ -24,19 +24,18 @@ class Seat:
 class Seats:
     """Gives seats, and takes back that of a person who opens the editor once more."""
 
-    def __init__(self, most: int = MOST) -> None:
-        """Begin with none given."""
+    def __init__(self, place: Path, most: int = MOST) -> None:
+        """Begin with none given; `place` is where language servers begin, made when needed."""
         self._most = most
         self._of: dict[int, Seat] = {}
         self._begun: dict[int, Bucket] = {}
-        self._folder: TemporaryDirectory[str] | None = None
+        self._place = place
 
     @property
-    def folder(self) -> str:
+    def folder(self) -> Path:
         """A folder that stays empty."""
-        if self._folder is None:
-            self._folder = TemporaryDirectory(prefix="vrts-editing-")
-        return self._folder.name
+        self._place.mkdir(mode=0o700, parents=True, exist_ok=True)
+        return self._place
 
     def take(self, account: int) -> Seat | None:
         """Return a seat; None where all are given to others, or somebody begins too often."""
@@ -62,5 +61,3 @@ class Seats:
         """Take all seats back."""
         for seat in self._of.values():
             seat.taken.set()
-        if self._folder is not None:
-            self._folder.cleanup()

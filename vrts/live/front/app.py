@@ -27,7 +27,7 @@ from vrts.live.rooms.hub import DISK_HELP, NO_DISK, Hub
 from vrts.live.rooms.opening import make_room, open_kept
 from vrts.live.rooms.pulse import pulse
 from vrts.live.rooms.sessions import Sessions
-from vrts.live.settings import DATABASE, Settings
+from vrts.live.settings import DATABASE, EDITING, Settings
 from vrts.live.store.database import Database
 from vrts.live.store.waiting.journal import NO_ROOM
 from vrts.live.watching.admin import AdminPage
@@ -55,7 +55,7 @@ def application(
     database = Database(settings.folder / DATABASE, settings.log_key, signs=signs)
     hub = Hub(settings, database, address, with_code=with_code)
     sessions = Sessions(hub)
-    seats = Seats()
+    seats = Seats(settings.folder / EDITING)
     pages = Pages(hub, StaticFiles())
     entrances = EntrancePages(hub, pages)
     past = PastPages(hub, pages.who)

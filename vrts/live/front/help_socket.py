@@ -3,7 +3,6 @@
 import asyncio
 import time
 from collections.abc import Coroutine
-from pathlib import Path
 from typing import Any, Final
 
 import msgspec
@@ -47,7 +46,7 @@ async def serve_help(seats: Seats, websocket: WebSocket, account: Account | None
     helper: Helper | None = None
     try:
         await websocket.accept()
-        helper = await begun(Path(seats.folder))
+        helper = await begun(seats.folder)
         await _Talk(websocket, helper, seat).go_on()
     finally:
         seats.give_back(seat)

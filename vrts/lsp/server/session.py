@@ -152,7 +152,8 @@ class Session(LanguageServer):
         def work() -> tuple[tuple[Diagnostic, ...], Subject, bool]:
             is_whole = self.reading.is_whole(folder)
             group = self.group(document)
-            subject = Subject(document, tuple(group[1:]), setting_stamp(document.path))
+            stamp = setting_stamp(document.path) if self.runs else ()
+            subject = Subject(document, tuple(group[1:]), stamp)
             return check(document, group, is_whole=is_whole), subject, is_whole
 
         found, subject, is_whole = await self.aside(work)

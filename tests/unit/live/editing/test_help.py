@@ -151,8 +151,8 @@ def test_a_person_has_one_language_server_and_begins_few(server: LiveServer) -> 
     assert ends(server)
 
 
-def test_seats_are_few_and_begun_seldom() -> None:
-    seats = Seats(most=2)
+def test_seats_are_few_and_begun_seldom(tmp_path: Path) -> None:
+    seats = Seats(tmp_path / "editing", most=2)
     first, second = seats.take(1), seats.take(2)
     assert first is not None
     assert second is not None
@@ -165,8 +165,11 @@ def test_seats_are_few_and_begun_seldom() -> None:
     seats.give_back(again)
     assert seats.take(3) is not None
     assert [seats.take(2) is not None for _ in range(8)].count(True) == 5  # six at once
+    last = seats.take(3)
+    assert last is not None
     seats.stop()
-    assert not Path(seats.folder).exists()
+    assert last.taken.is_set()
+    assert list(seats.folder.iterdir()) == []
 
 
 @pytest.mark.thorough
