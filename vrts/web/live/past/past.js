@@ -23,10 +23,10 @@ export function mountPast({ store, world, toasts, connection }) {
     seek, live: backToLive, jump, play: toggle, redraw: () => (drawn = -Infinity), branch,
   });
   const sign = make("div", { class: "past-sign", id: "past-sign", hidden: true });
-  const words = make("span", { "aria-hidden": "true" }); // it changes all the time: the slider says it when it is asked
+  const words = make("span", { class: "past-ago" }); // it changes all the time: the slider says it when it is asked
   const told = make("span", { class: "unseen", role: "status" });
   byId("view").append(told);
-  sign.append(words, make("button", { type: "button", class: "main", text: "Back to live", title: "Alt+L", click: backToLive }),
+  sign.append(make("span", { "aria-hidden": "true", text: "You look at the past" }, words), make("button", { type: "button", class: "main", text: "Back to live", title: "Alt+L", click: backToLive }),
     make("button", { type: "button", class: "main past-branch", text: "Go on from here", click: () => void branch() }));
   byId("view").append(sign);
   let playing = false;
@@ -124,7 +124,7 @@ export function mountPast({ store, world, toasts, connection }) {
     const { now } = world;
     bar.show({ now, t, reaches: blocks.reaches, loading: t !== null && !here, playing, problem: t !== null && !here ? blocks.problem : "" });
     if (t === null) return;
-    write(words, `You look at the past: ${ago(now - t)}${here ? "" : " …"}`);
+    write(words, `: ${ago(now - t)}${here ? "" : " …"}`);
     if (seen && here) tellThen(then(seen));
   }
 
