@@ -143,8 +143,8 @@ def command(
     stays. `--private-rooms` says how many there may be; supervisors see and close them.
 
     It listens on this machine only, unless `--host` names another address. For https give
-    `--tls-cert` and `--tls-key`, or put a proxy in front of it that passes `Host` and WebSockets
-    on, with `--behind-proxy --name lab.example.org`.
+    `--tls-cert` and `--tls-key`, or put a proxy in front of it and start it with `--behind-proxy
+    --name lab.example.org`. `vrts manual browser` shows the lines that nginx and Caddy need.
 
     To leave it running, `--service` prints a unit for systemd with the same options. Whether it is
     well is told at `/health`, and a supervisor with an account sees more at `/admin`.
