@@ -36,6 +36,20 @@ __all__ = ["PATCHES", "Patch"]
 
 PATCHES: tuple[Patch, ...] = (
     Patch(
+        "a guest may have a name that looks like another's",
+        "vrts/live/people/naming.py",
+        "not look(name).watched.isdisjoint(self._shown)",
+        "False",
+        ("tests/unit/live/people/test_naming.py",),
+    ),
+    Patch(
+        "who is muted is heard again under another name",
+        "vrts/live/store/bars.py",
+        'if old in known), "")',
+        'if old == account), "")',
+        ("tests/unit/live/store/test_bars.py",),
+    ),
+    Patch(
         "a program is saved over a version that nobody has seen",
         "vrts/live/store/programs.py",
         "if newest.number != seen:",

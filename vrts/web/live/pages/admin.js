@@ -20,6 +20,7 @@ const UNITS = ["B", "kB", "MB", "GB", "TB"];
  */
 
 export function showAdmin() {
+  document.head.append(make("link", { rel: "stylesheet", href: "/web/live/admin.css" })); // nobody else needs it
   const place = byId("admin");
   place.hidden = false;
   document.title = "Admin · vrts";
