@@ -139,7 +139,8 @@ def test_only_who_is_in_the_class_gets_help_and_only_on_our_own_page(server: Liv
     assert helpers(server) == []
 
 
-def test_a_person_has_one_language_server_and_begins_few(server: LiveServer) -> None:
+@pytest.mark.thorough
+def test_a_person_has_one_language_server_at_a_time(server: LiveServer) -> None:
     anna, ben = server.enter("Anna"), server.enter("Ben")
     with link(server, anna) as first, link(server, ben) as other, link(server, anna) as second:
         editors = [Editor(second, WRONG), Editor(other, WRONG)]
