@@ -3195,4 +3195,18 @@ PATCHES: tuple[Patch, ...] = (
         "if step.at_s <= at_s + 1.0]",
         ("tests/unit/live/logs/test_branching.py",),
     ),
+    Patch(
+        "a session that dies begins anew",
+        "vrts/live/rooms/sessions.py",
+        "await self._one(room, await self._before(room))",
+        "await self._one(room, None)",
+        ("tests/unit/live/rooms/test_session_deaths.py",),
+    ),
+    Patch(
+        "the server's clock jumps when the machine's is set",
+        "vrts/live/lasting/clock.py",
+        "return _WALL_S + (time.clock_gettime(_BOOT) - _BOOT_S)",
+        "return time.time()",
+        ("tests/unit/live/rooms/test_clock_steps.py",),
+    ),
 )

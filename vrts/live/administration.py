@@ -3,11 +3,11 @@
 import contextlib
 import json
 import shutil
-import time
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Final
 
+from vrts.live.lasting.clock import wall
 from vrts.live.lasting.folder_lock import held
 from vrts.live.session.growing.folder import FILE, OFF
 from vrts.live.settings import DATABASE, SESSIONS
@@ -29,7 +29,7 @@ def save_backup(folder: Path, target: Path) -> None:
     if target.resolve() == (folder / DATABASE).resolve():
         raise CannotRead(f"`{target}` is the database itself", ("name another file",))
     backup(folder / DATABASE, target)
-    note = {"at": time.time(), "bytes": target.stat().st_size}
+    note = {"at": wall(), "bytes": target.stat().st_size}
     with contextlib.suppress(PermissionError):  # who may only read the folder may copy it too
         (folder / LAST_BACKUP).write_text(json.dumps(note), "ascii")
 
@@ -88,4 +88,4 @@ def accept_logs(folder: Path, key: Path | None = None) -> list[str]:
         CannotRead: There is no key, and none can be made; or a server works in the folder.
     """
     with held(folder):
-        return accepting.accept(folder / DATABASE, key, time.time())
+        return accepting.accept(folder / DATABASE, key, wall())

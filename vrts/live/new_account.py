@@ -1,8 +1,8 @@
 """A local account, added from the command line while a server runs or not."""
 
-import time
 from pathlib import Path
 
+from vrts.live.lasting.clock import wall
 from vrts.live.passwords import hashed
 from vrts.live.settings import DATABASE
 from vrts.live.store.accounts import add_account
@@ -19,6 +19,6 @@ def add_user(folder: Path, name: str, password: str, *, supervisor: bool) -> str
     kept = hashed(password)
     connection = opened(folder / DATABASE)
     try:
-        return add_account(connection, name, time.time(), password=kept, supervisor=supervisor).name
+        return add_account(connection, name, wall(), password=kept, supervisor=supervisor).name
     finally:
         connection.close()

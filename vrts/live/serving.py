@@ -3,7 +3,6 @@
 import errno
 import ipaddress
 import socket
-import time
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -15,6 +14,7 @@ from vrts.live.door import DoorProtocol
 from vrts.live.entrance.by_hand import supervisor_link, working_code
 from vrts.live.front.app import application
 from vrts.live.front.hop import Hop
+from vrts.live.lasting.clock import wall
 from vrts.live.lasting.folder_lock import held, holder
 from vrts.live.protocol.fields import LONGEST_MESSAGE
 from vrts.live.settings import DATABASE, Settings
@@ -106,6 +106,7 @@ def _serve(
         log_config=None,
         access_log=False,
         server_header=False,
+        date_header=False,  # `Guard` tells the time
         proxy_headers=False,  # `front/hop` reads them
         timeout_graceful_shutdown=5,
         ssl_certfile=listening.certificate,
@@ -179,7 +180,7 @@ def _is_any(host: str) -> bool:
 def _entrances(
     settings: Settings, listening: Listening, port: int, *, with_code: bool
 ) -> Entrances:
-    now = time.time()
+    now = wall()
     connection = opened(settings.folder / DATABASE)
     try:
         token = supervisor_link(connection, now)

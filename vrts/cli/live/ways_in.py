@@ -1,10 +1,10 @@
 """What `vrts serve` does to a folder's ways in from the command line, and ends."""
 
-import time
 from pathlib import Path
 from typing import NamedTuple
 
 from vrts.cli.shared.console import WRONG, fail, out, say
+from vrts.live.lasting.clock import wall
 
 
 class Change(NamedTuple):
@@ -28,7 +28,7 @@ def change_ways_in(folder: Path, change: Change) -> None:
 
     if not (folder / DATABASE).is_file():
         fail(f"there is no server's database in `{folder}`")
-    connection, now = opened(folder / DATABASE), time.time()
+    connection, now = opened(folder / DATABASE), wall()
     try:
         if change.end and not by_hand.end(folder, connection, change.end, now, away=change.away):
             fail(f"there is no way in called `{change.end}`", ("`--ways-in` lists them",), WRONG)

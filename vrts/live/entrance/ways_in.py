@@ -11,6 +11,7 @@ from vrts.live.entrance.class_code import ClassCode, Guess, keep_code, kept_code
 from vrts.live.entrance.entries import Entries, Lately
 from vrts.live.entrance.guessing import left_after
 from vrts.live.entrance.log_ins import LogIns
+from vrts.live.lasting.clock import wall
 from vrts.live.store import links
 from vrts.live.store.accounts import LINK_S, MANY, add_link
 from vrts.live.store.database import Connection, Database
@@ -58,7 +59,7 @@ class WaysIn:
 
     async def open(self) -> None:
         """Read what is kept; make a code where there is none that works."""
-        folder, wanted, now = self._folder, self._has_code, time.time()
+        folder, wanted, now = self._folder, self._has_code, wall()
 
         def read(connection: Connection) -> tuple[str, int, list[int]]:
             text = working_code(folder, connection, now, wanted=wanted)
@@ -100,7 +101,7 @@ class WaysIn:
         text = "" if none else self.code.fresh()
         self.code.replace(text)  # first of all: no guess at the old one is right any more
         self.changed()
-        folder, now = self._folder, time.time()
+        folder, now = self._folder, wall()
 
         def renew(connection: Connection) -> None:
             keep_code(folder, text)
@@ -111,7 +112,7 @@ class WaysIn:
 
     async def make_link(self, room: str) -> str:
         """Make a link that lets many into a room, under their names; return its address."""
-        token, now = new_token(), time.time()
+        token, now = new_token(), wall()
         await self._database.do(
             lambda c: add_link(c, token, now + LINK_S, room=room, uses=MANY, made=now)
         )
@@ -128,7 +129,7 @@ class WaysIn:
         Returns:
             The address of the new one, empty without one; None: there is no such link any more.
         """
-        now = time.time()
+        now = wall()
         found = await self._database.do(lambda c: links.link(c, id_, now))
         if found is None:
             return None
@@ -140,7 +141,7 @@ class WaysIn:
 
     async def shown(self) -> Shown:
         """Return what a supervisor sees."""
-        now = time.time()
+        now = wall()
 
         def look(connection: Connection) -> tuple[list[KeptLink], Crowd]:
             return links.links(connection, now), crowd(connection, now)

@@ -17,6 +17,7 @@ from vrts.live.front.browsers import browser_token
 from vrts.live.front.guard import refused
 from vrts.live.front.http import LONGEST_TOKEN, Pages
 from vrts.live.front.qr_code import qr_svg
+from vrts.live.lasting.clock import wall
 from vrts.live.people.naming import person_name
 from vrts.live.protocol.over_http import (
     ChangeWays,
@@ -48,7 +49,7 @@ class EntrancePages:
 
     async def enter(self, request: Request) -> Response:
         """Let somebody in who has a join link or the class code."""
-        hub, now = self._hub, time.time()
+        hub, now = self._hub, wall()
         body = await read_body(request, Enter)
         if isinstance(body, Response):
             return body
@@ -92,7 +93,7 @@ class EntrancePages:
 
     async def login(self, request: Request) -> Response:
         """Let somebody in who has a local account."""
-        hub, now = self._hub, time.time()
+        hub, now = self._hub, wall()
         body = await read_body(request, LogIn)
         if isinstance(body, Response):
             return body

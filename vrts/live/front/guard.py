@@ -1,5 +1,6 @@
 """What stands before everything else: `Host`, `Origin`, and headers that bind browsers."""
 
+from email.utils import formatdate
 from typing import Final
 
 from starlette.datastructures import Headers, MutableHeaders
@@ -8,6 +9,7 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from vrts.live.front.hop import Hop
 from vrts.live.front.origin import Names
+from vrts.live.lasting.clock import wall
 
 POLICY: Final = (
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:;"
@@ -75,6 +77,7 @@ class Guard:
     def _bind(self, headers: MutableHeaders, host: str) -> None:
         for name, value in HEADERS.items():
             headers[name] = value
+        headers["date"] = formatdate(wall(), usegmt=True)  # by which pages show what ends when
         sockets = f" ws://{host} wss://{host}"  # older browsers do not count them as 'self'
         headers["content-security-policy"] = POLICY + sockets
         if "cache-control" not in headers:

@@ -1,7 +1,6 @@
 """What is asked over HTTP: the page and its files, who one is, scenes, logs."""
 
 import asyncio
-import time
 from collections.abc import Awaitable, Callable
 from typing import Final
 
@@ -12,6 +11,7 @@ from vrts.live.front.bodies import JSON, as_json
 from vrts.live.front.browsers import browsers_of, keep_browser
 from vrts.live.front.guard import refused
 from vrts.live.front.static_files import PAGE, Content, StaticFiles, content
+from vrts.live.lasting.clock import wall
 from vrts.live.logs.replay_page import NoPage, Order, replay_page
 from vrts.live.logs.voices import Said
 from vrts.live.protocol.over_http import Me
@@ -122,7 +122,7 @@ class Pages:
         token = cookies.get(self._hub.settings.cookie, "")
         if not token or len(token) > LONGEST_TOKEN:
             return None
-        return await self._hub.database.do(lambda c: accounts.who(c, token, time.time()))
+        return await self._hub.database.do(lambda c: accounts.who(c, token, wall()))
 
     def _file(self, request: Request, path: str) -> Response:
         found = self._files.find(path)

@@ -1,13 +1,13 @@
 """The past of a room's session over HTTP: blocks that a browser plays by itself."""
 
 import gzip
-import time
 from collections.abc import Awaitable, Callable
 
 from starlette.requests import Request
 from starlette.responses import Response
 
 from vrts.live.front.guard import refused
+from vrts.live.lasting.clock import steady
 from vrts.live.refusal import NotObeyed
 from vrts.live.rooms.hub import Hub
 from vrts.live.store.accounts import Account
@@ -35,7 +35,7 @@ class PastPages:
         members = [m for m in room.members.values() if m.account.id == account.id]
         if not members:
             return refused(403, "room", "only who is in a room may look at its past")
-        if not members[0].looks.take(time.time()):
+        if not members[0].looks.take(steady()):
             return refused(429, "rate", "too many questions at once", "wait a moment")
         process = room.process
         if process is None or not process.ready or process.behind:

@@ -11,6 +11,7 @@ from starlette.responses import Response
 from starlette.routing import Route
 
 from vrts.live.front.guard import refused
+from vrts.live.lasting.clock import wall
 from vrts.live.limits import Bucket
 from vrts.live.protocol.over_programs import (
     DropProgram,
@@ -102,7 +103,7 @@ class ProgramPages:
         if isinstance(place, Response):
             return place
         account, shelf = place
-        version = Version(body.name, 0, time.time(), account.id, account.name, 0)
+        version = Version(body.name, 0, wall(), account.id, account.name, 0)
         done = await self._hub.database.do(
             lambda c: programs.save(c, shelf, version, body.text, body.seen)
         )

@@ -10,13 +10,14 @@ from vrts.live import limits
 from vrts.live.door import Door, text_frame
 from vrts.live.entrance.crowding import Connected, gives_way
 from vrts.live.entrance.entries import group
+from vrts.live.lasting.clock import steady, wall
 from vrts.live.protocol.coding import encode
 from vrts.live.protocol.from_anybody import Join
 from vrts.live.protocol.from_server import Closed, Rooms, Snapshot, Welcome
 from vrts.live.protocol.listed import SceneEntry
 from vrts.live.refusal import NotObeyed
 from vrts.live.rooms.hub import Hub, may_enter
-from vrts.live.rooms.keeping import control_changed, record
+from vrts.live.rooms.keeping import control_changed, keep_soon, record
 from vrts.live.rooms.member import Member
 from vrts.live.rooms.room import Room
 from vrts.live.store.accounts import Account
@@ -50,9 +51,7 @@ def enter(hub: Hub, account: Account, join: Join, door: Door) -> Member:
         join.rate,
     )
     door.send(text_frame(encode(welcome)))
-    if (hub.settings.alone or room.is_own(account)) and room.control.request(
-        member.id, time.time()
-    ):
+    if (hub.settings.alone or room.is_own(account)) and room.control.request(member.id, steady()):
         control_changed(hub, room)
     room.tell_people_soon()
     room.joining.append(member)
@@ -105,7 +104,7 @@ def drop(hub: Hub, member: Member, door: Door) -> None:
     if member.door is not door:
         return  # they are back already, on another connection
     member.door, member.settled, member.wall = None, False, False
-    member.away_since = time.time()
+    member.away_since = steady()
     _saw(hub, member, time.monotonic() - member.came)
     room = hub.rooms.get(member.room)
     if room is not None:
@@ -155,15 +154,15 @@ def _give_up(hub: Hub, members: Iterable[Member], refusal: str) -> None:
 
 def _saw(hub: Hub, member: Member, stayed_s: float) -> None:
     """Keep when somebody was here: who uses a place does not lose it."""
-    account, now = member.account.id, time.time()
+    account, now = member.account.id, wall()
     hub.ways.entries.joined(account)
-    hub.spawn(hub.database.do(lambda connection: saw(connection, account, now, stayed_s)))
+    hub.spawn(keep_soon(hub, lambda connection: saw(connection, account, now, stayed_s)))
 
 
 def remove(hub: Hub, room: Room, member: Member) -> None:
     """Give up somebody's place."""
     room.members.pop(member.id, None)
-    if room.control.hand_back(member.id, time.time()):
+    if room.control.hand_back(member.id, steady()):
         control_changed(hub, room)
     room.tell_people_soon()
 

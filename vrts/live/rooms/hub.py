@@ -2,12 +2,12 @@
 
 import asyncio
 import logging
-import time
 from collections.abc import Callable, Coroutine
 from typing import Any, Final
 
 from vrts.live.door import text_frame
 from vrts.live.entrance.ways_in import WaysIn
+from vrts.live.lasting.clock import wall
 from vrts.live.notices.announcement import Announcement
 from vrts.live.passwords import Passwords
 from vrts.live.protocol.coding import encode
@@ -65,7 +65,7 @@ class Hub:
         for room in self.rooms.values():
             number = room.next_number()
             text = f"{NO_DISK}; {DISK_HELP}" if problem else DISK_AGAIN
-            room.tell(Chat(number, time.time(), "", "", text), number)
+            room.tell(Chat(number, wall(), "", "", text), number)
 
     def entries(self, account: Account) -> tuple[RoomEntry, ...]:
         """Return the rooms that somebody may enter."""

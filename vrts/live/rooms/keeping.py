@@ -2,10 +2,10 @@
 
 import asyncio
 import contextlib
-import time
 from collections.abc import Callable
 from typing import Final
 
+from vrts.live.lasting.clock import wall
 from vrts.live.protocol.coding import encode
 from vrts.live.protocol.from_server import Chat
 from vrts.live.rooms.audience import EVERYBODY, Audience
@@ -66,7 +66,7 @@ def stamped(
 ) -> Entry:
     """Return a record of the log, stamped now."""
     id_, name = (None, "") if account is None else (account.id, account.name)
-    return Entry(room.id, room.session, at_s, time.time(), kind, accepted, id_, name, text)
+    return Entry(room.id, room.session, at_s, wall(), kind, accepted, id_, name, text)
 
 
 async def announce(hub: Hub, room: Room, text: str) -> None:
@@ -75,7 +75,7 @@ async def announce(hub: Hub, room: Room, text: str) -> None:
         await say(hub, room, None, text, EVERYBODY, None)
     except NO_ROOM:
         number = room.next_number()
-        room.tell(Chat(number, time.time(), "", "", text), number)
+        room.tell(Chat(number, wall(), "", "", text), number)
 
 
 async def keep_soon(hub: Hub, job: Callable[[Connection], None]) -> None:
@@ -88,7 +88,7 @@ async def say(
     hub: Hub, room: Room, speaker: Member | None, text: str, to: Audience, reader: Account | None
 ) -> None:
     """Keep a line of chat, then tell it; it is acknowledged by being told."""
-    number, at = room.next_number(), time.time()
+    number, at = room.next_number(), wall()
     account = None if speaker is None else speaker.account
     name = "" if account is None else account.name
     private = not to.everybody

@@ -4,9 +4,8 @@ Hiding a button is not security: whatever a browser sends, this decides by the a
 by who holds the control right.
 """
 
-import time
-
 from vrts.live.actions import Action, Keep, LetGo, Reset, Rewind, Save, Typed, Upload
+from vrts.live.lasting.clock import steady
 from vrts.live.names import readable
 from vrts.live.protocol.coding import encode
 from vrts.live.protocol.from_anybody import (
@@ -54,7 +53,7 @@ async def obey(hub: Hub, sessions: Sessions, member: Member, message: FromClient
     room = hub.rooms.get(member.room)
     if room is None:
         raise NotObeyed("room", "the room was closed")
-    now = time.time()
+    now = steady()
     if isinstance(message, Panic):
         _panic(room, member)
         return

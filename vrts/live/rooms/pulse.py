@@ -2,9 +2,9 @@
 
 import asyncio
 import contextlib
-import time
 from typing import Final
 
+from vrts.live.lasting.clock import steady
 from vrts.live.rooms.entering import remove, send_away
 from vrts.live.rooms.hub import Hub
 from vrts.live.rooms.keeping import control_changed, keep_soon
@@ -26,7 +26,7 @@ async def pulse(hub: Hub) -> None:
     wall_due = 0.0
     while not hub.stopping:
         await asyncio.sleep(PULSE)
-        now = time.time()
+        now = steady()
         for room in list(hub.rooms.values()):
             _pulse_room(hub, room, now)
         if now >= wall_due:

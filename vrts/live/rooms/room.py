@@ -1,6 +1,5 @@
 """A room: the people in it, the control right, the session they share, and what they were told."""
 
-import time
 from collections import deque
 from collections.abc import Iterable
 from dataclasses import dataclass, field
@@ -10,6 +9,7 @@ import msgspec
 from msgspec import structs
 
 from vrts.live.door import binary_frame, text_frame
+from vrts.live.lasting.clock import steady, wall
 from vrts.live.looking.blocks import Blocks
 from vrts.live.protocol.coding import encode
 from vrts.live.protocol.fields import Role
@@ -243,7 +243,7 @@ class Room:
             chat=self.kept.chat,
             turn_s=control.turn_s,
             idle_s=control.idle_s,
-            ends=control.ends(),
+            ends=_shown(control.ends()),
         )
 
     def show_waits(self, waits: NoSession | None) -> None:
@@ -259,7 +259,7 @@ class Room:
 
     def tell_people_soon(self) -> None:
         """Have everybody told soon who is here."""
-        self.crowd_changed = self.crowd_changed or time.time()
+        self.crowd_changed = self.crowd_changed or steady()
 
     def show_stopped(self, stopped: Stopped | None) -> None:
         """Tell everybody that somebody has stopped the arm, or that this is over."""
@@ -304,3 +304,8 @@ class Room:
         if member.supervisor:
             return "supervisor"
         return "operator" if member.id == self.control.holder else "viewer"
+
+
+def _shown(ends: float) -> float:
+    """Return when a turn ends as browsers are told it: Unix time [s]; 0: it is open."""
+    return wall() + ends - steady() if ends else 0.0

@@ -11,6 +11,7 @@ from typing import Final
 import msgspec
 
 from vrts import __version__
+from vrts.live.lasting.clock import wall
 from vrts.live.logs.logged_sessions import JUMPS, LogFault
 from vrts.live.logs.unfinished import Unfinished, unfinished
 from vrts.live.notices.stopping import moves
@@ -281,7 +282,7 @@ class Sessions:
         if asked.kind == "panic":
             room.halting = False
             role = room.role_of(asked.person)
-            room.show_stopped(Stopped(time.time(), asked.person, asked.name, role))
+            room.show_stopped(Stopped(wall(), asked.person, asked.name, role))
         if asked.kind in JUMPS:
             room.frame = b""
             if head.accepted:

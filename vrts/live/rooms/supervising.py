@@ -1,7 +1,6 @@
 """What a supervisor may do besides: people, control right, rooms, scenes, the wall, logs."""
 
-import time
-
+from vrts.live.lasting.clock import steady, wall
 from vrts.live.names import display_name, readable
 from vrts.live.notices.announcement import next_announcement
 from vrts.live.protocol.from_server import LogFile
@@ -119,7 +118,7 @@ async def supervise(
 
 
 def _control(hub: Hub, room: Room, member: Member, message: HandOver | Lock | Freeze) -> None:
-    now = time.time()
+    now = steady()
     match message:
         case HandOver():
             to = _person(room, message.person) if message.person else None
@@ -216,7 +215,7 @@ async def _broadcast(hub: Hub, sessions: Sessions, member: Member, message: Broa
     text = readable(message.text)
     if text:
         name = member.account.name
-        hub.announcement = next_announcement(hub.announcement, time.time(), name, text)
+        hub.announcement = next_announcement(hub.announcement, wall(), name, text)
         hub.show_announcement()
     for room in list(hub.rooms.values()):
         if text:

@@ -2,12 +2,12 @@
 
 import secrets
 import sqlite3
-import time
 from collections.abc import Iterator
 from typing import Any, Final, NamedTuple, TypeGuard
 
 import msgspec
 
+from vrts.live.lasting.clock import wall
 from vrts.live.store.chain import START, Record, record_hash, salted
 from vrts.live.store.seals.connection import appending, signature
 from vrts.live.store.seals.heads import NAME, PURGED
@@ -192,7 +192,7 @@ def export(connection: sqlite3.Connection, room: str, *, names: bool) -> bytes:
 
 def purge(connection: sqlite3.Connection, account: int) -> None:
     """Forget who somebody was and what they wrote; the chains stay, with a note for each text."""
-    at = time.time()
+    at = wall()
     rows = connection.execute("SELECT room, seq FROM log_text WHERE account=?", (account,))
     for room, seq in rows.fetchall():
         _purge_text(connection, room, seq, at, ASKED)

@@ -11,6 +11,7 @@ import time
 from pathlib import Path
 from typing import Final
 
+from vrts.live.lasting.clock import wall
 from vrts.live.store.seals.connection import SealedConnection, Touched
 from vrts.live.store.seals.heads import (
     HEAD,
@@ -262,7 +263,7 @@ def seal_all(connection: sqlite3.Connection, key: LogKey, root: Root, why: str) 
         "SELECT room, seq, content, coalesce(at, ?), coalesce(why, ?) FROM log"
         " LEFT JOIN log_text USING (room, seq) LEFT JOIN log_purged USING (room, seq)"
         " WHERE log_text.seq IS NULL",
-        (round(time.time(), 3), why),
+        (round(wall(), 3), why),
     ).fetchall()
     connection.executemany(
         "INSERT OR REPLACE INTO log_purged VALUES (?,?,?,?,?)",
