@@ -14,15 +14,11 @@ import { World } from "../world.js";
 import { backToLive } from "../looking.js";
 import { mountEditor } from "../editor/panel.js";
 import { mountButtons } from "../panels/buttons.js";
-import { mountChat } from "../panels/chat.js";
-import { mountHistory } from "../panels/history.js";
 import { mountMonitor } from "../panels/monitor.js";
 import { mountNoSession } from "../panels/no_session.js";
-import { mountNotes } from "../panels/notes.js";
 import { mountOverlay } from "../panels/overlay.js";
 import { mountPendant } from "../panels/pendant.js";
 import { mountPointing } from "../panels/pointing.js";
-import { mountPrograms } from "../panels/programs.js";
 import { mountSettings, wantedRate } from "../panels/settings.js";
 import { mountStatus } from "../panels/status.js";
 import { mountTask } from "../panels/task.js";
@@ -65,11 +61,11 @@ export function showRoom(me, wanted) {
   mountButtons(app);
   mountPendant(app);
   mountPointing(app);
-  mountPrograms(app);
+  later(app, async () => (await import("../panels/programs.js")).mountPrograms(app));
   mountEditor(app);
-  mountHistory(app);
-  mountNotes(app);
-  mountChat(app);
+  later(app, async () => (await import("../panels/history.js")).mountHistory(app));
+  later(app, async () => (await import("../panels/notes.js")).mountNotes(app));
+  later(app, async () => (await import("../panels/chat.js")).mountChat(app));
   if (!me.alone) later(app, async () => (await import("../panels/people.js")).mountPeople(app));
   if (me.supervisor && !me.alone) {
     later(app, async () => {
