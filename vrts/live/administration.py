@@ -2,18 +2,16 @@
 
 import contextlib
 import json
-import shutil
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Final
 
 from vrts.live.lasting.clock import wall
 from vrts.live.lasting.folder_lock import held
-from vrts.live.session.growing.folder import FILE, OFF
-from vrts.live.settings import DATABASE, SESSIONS
-from vrts.live.store import accepting, log, verifying
-from vrts.live.store.database import backup, opened
-from vrts.live.store.seals.sealing import seals_for
+from vrts.live.personal.purging import Forgotten, purge
+from vrts.live.settings import DATABASE
+from vrts.live.store import accepting, verifying
+from vrts.live.store.database import backup
 from vrts.live.store.verifying import Finding
 from vrts.pipeline.files import CannotRead
 
@@ -43,33 +41,15 @@ def last_backup(folder: Path) -> tuple[float, int]:
         return 0.0, 0  # none was made, or somebody changed the note: it says nothing then
 
 
-def purge_user(folder: Path, name: str, key: Path | None = None) -> int:
-    """Forget all accounts of a name and what they wrote; return how many there were.
-
-    A server that is running ends their connections within a second or so. Sessions in which they
-    used the monitor lose the file of their history: they go on, and know the last ten minutes.
+def purge_user(
+    folder: Path, name: str, key: Path | None = None, *, mentions: bool = False
+) -> Forgotten:
+    """Forget all accounts of a name and what they wrote, everywhere; a server may run meanwhile.
 
     Raises:
         CannotRead: There is no key of the logs that fits.
     """
-    path = folder / DATABASE
-    connection = opened(path)
-    try:
-        seals_for(path, key, connection).attach(connection)
-        connection.execute("BEGIN IMMEDIATE")
-        rows = connection.execute("SELECT id FROM account WHERE name=?", (name,)).fetchall()
-        for (account,) in rows:
-            log.purge(connection, account)
-        connection.execute("COMMIT")
-        connection.execute("PRAGMA wal_checkpoint(TRUNCATE)")  # nothing is left in the journal
-    finally:
-        connection.close()
-    for (account,) in rows:  # the files that they have written, and what sessions remember
-        for place in (folder / SESSIONS).glob(f"*/p{int(account)}"):
-            (place.parent / OFF).touch(mode=0o600)
-            (place.parent / FILE).unlink(missing_ok=True)
-            shutil.rmtree(place)
-    return len(rows)
+    return purge(folder, name, key, mentions=mentions)
 
 
 def verify_logs(folder: Path, key: Path | None = None) -> Iterator[Finding]:

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import click
 
+from vrts.cli.live import person
 from vrts.cli.live.service import print_service
 from vrts.cli.live.ways_in import Change, change_ways_in
 from vrts.cli.shared.console import INTERRUPTED, WRONG, fail, guarded, say, warn
@@ -71,9 +72,10 @@ Examples:
 @click.option("--students-reset", is_flag=True, help="Operators may reset and rewind.")
 @click.option("--add-user", metavar="NAME", help="Add an account, ask for its password, and end.")
 @click.option("--supervisor", is_flag=True, help="The added account may supervise.")
-@click.option(
-    "--purge-user", metavar="NAME", help="Forget a user, and end; logs can still be checked."
-)
+@click.option("--purge-user", metavar="NAME", help="Forget a user everywhere, and end.")
+@click.option("--purge-mentions", is_flag=True, help="Forget texts of others with that name too.")
+@click.option("--export-user", metavar="NAME", help="Pack all that is kept of a user, and end.")
+@file_option("-o", "--output", help="Zip for `--export-user`; without it NAME.zip.")
 @click.option("--verify-logs", is_flag=True, help="Check all logs and their signs, and end.")
 @click.option("--accept-logs", is_flag=True, help="Sign the logs as they are, and end.")
 @file_option("--log-key", help="File with the key that signs the logs, outside of the folder.")
@@ -106,6 +108,9 @@ def command(
     add_user: str | None,
     supervisor: bool,
     purge_user: str | None,
+    purge_mentions: bool,
+    export_user: str | None,
+    output: Path | None,
     verify_logs: bool,
     accept_logs: bool,
     log_key: Path | None,
@@ -149,12 +154,21 @@ def command(
     To leave it running, `--service` prints a unit for systemd with the same options. Whether it is
     well is told at `/health`, and a supervisor with an account sees more at `/admin`.
     """
-    if add_user or purge_user or verify_logs or accept_logs or backup:
+    if purge_mentions and not purge_user:
+        fail("`--purge-mentions` goes with `--purge-user`")
+    if output is not None and not export_user:
+        fail("`--output` goes with `--export-user`")
+    if add_user or purge_user or export_user or verify_logs or accept_logs or backup:
         from vrts.live.settings import DATABASE
         from vrts.live.store.unusable import in_one_sentence
 
         with in_one_sentence(folder / DATABASE):
-            administer(folder, add_user, purge_user, backup, log_key, supervisor=supervisor)
+            if add_user or backup:
+                administer(folder, add_user, backup, supervisor=supervisor)
+            if export_user:
+                person.export_user(folder, export_user, output)
+            if purge_user:
+                person.purge_user(folder, purge_user, log_key, mentions=purge_mentions)
             if accept_logs or verify_logs:
                 check_logs(folder, log_key, accept=accept_logs, verify=verify_logs)
         return
@@ -207,9 +221,7 @@ def command(
 def administer(
     folder: Path,
     add_user: str | None,
-    purge_user: str | None,
     backup: Path | None,
-    log_key: Path | None,
     *,
     supervisor: bool,
 ) -> None:
@@ -231,11 +243,6 @@ def administer(
     if backup:
         administration.save_backup(folder, backup)
         say(f"copied to {backup}")
-    if purge_user:
-        count = administration.purge_user(folder, purge_user, log_key)
-        if not count:
-            fail(f"there is no account `{purge_user}`", status=WRONG)
-        say(f"accounts forgotten: {count}; the chains of the logs stay as they were")
 
 
 def check_logs(folder: Path, key: Path | None, *, accept: bool, verify: bool) -> None:

@@ -9,9 +9,13 @@ import click
 from vrts.cli.shared.console import fail, out
 
 # what ends after its work is no server; this option least of all
-_ENDING: Final = frozenset(
-    ("service", "add_user", "supervisor", "purge_user", "verify_logs", "accept_logs", "backup")
-) | frozenset(("ways_in", "renew_code", "end_way", "send_away", "supervisor_link"))
+_ENDING: Final = (
+    frozenset(
+        ("service", "add_user", "supervisor", "purge_user", "verify_logs", "accept_logs", "backup")
+    )
+    | frozenset(("ways_in", "renew_code", "end_way", "send_away", "supervisor_link"))
+    | frozenset(("purge_mentions", "export_user", "output"))
+)
 
 
 def print_service(context: click.Context, writes: tuple[Path, ...], port: int) -> None:

@@ -46,6 +46,7 @@ class Hub:
         self.passwords = Passwords()
         self.projector = ""
         self.branching: set[int] = set()  # accounts whose private rooms are being made
+        self.purges = -1  # how often somebody was purged; -1: not known yet
         self.stopping = False
         self._tasks: set[asyncio.Task[Any]] = set()
 

@@ -1,6 +1,8 @@
-"""Rooms that are opened, changed and closed."""
+"""Rooms that are opened, changed and closed, and forget who was purged."""
 
 from typing import Final
+
+from msgspec import structs
 
 from vrts.live.protocol.from_server import Chat
 from vrts.live.refusal import NotObeyed
@@ -11,7 +13,17 @@ from vrts.live.rooms.hub import Hub
 from vrts.live.rooms.room import Room
 from vrts.live.store.bars import all_muted, bars_of
 from vrts.live.store.branches import branch_of
-from vrts.live.store.rooms import KeptRoom, Line, close_room, keep_room, lines, open_rooms
+from vrts.live.store.database import Connection
+from vrts.live.store.rooms import (
+    PURGES,
+    KeptRoom,
+    Line,
+    close_room,
+    keep_room,
+    lines,
+    notes_of,
+    open_rooms,
+)
 from vrts.live.tokens import new_id
 
 MOST_ROOMS: Final = 64
@@ -76,3 +88,38 @@ def _readers(line: Line) -> Audience:
     """Return who may read a private line: its two ends and the supervisors."""
     ends = (line.account, line.reader)
     return Audience(accounts=frozenset(end for end in ends if end is not None), supervisors=True)
+
+
+def _purges(connection: Connection) -> int:
+    """Return how often somebody was purged."""
+    row = connection.execute("SELECT value FROM counter WHERE name=?", (PURGES,)).fetchone()
+    return int(row[0]) if row else 0
+
+
+async def forget_purged(hub: Hub) -> None:
+    """Give rooms the names and the chat that the database has, when somebody was purged."""
+    count = await hub.database.do(_purges)
+    before, hub.purges = hub.purges, count
+    if before in (-1, count):
+        return
+    names = {kept.id: kept.name for kept in await hub.database.do(open_rooms)}
+    for room in list(hub.rooms.values()):
+        noted = list(room.notes)
+        said = await hub.database.do(lambda connection, room=room: lines(connection, room.id))
+        kept = await hub.database.do(lambda connection, room=room: notes_of(connection, room.id))
+        there = {(note.at_s, note.name) for note in kept}
+        room.notes = [n for n in room.notes if n not in noted or (n.at_s, n.name) in there]
+        room.have_said(_left(room, said))
+        room.kept = room.kept._replace(name=names.get(room.id, room.kept.name))
+    hub.rooms_changed()
+
+
+def _left(room: Room, said: list[Line]) -> list[tuple[Chat, Audience]]:
+    """Return the lines that are still there, as they are now, and those said meanwhile."""
+    there = {line.number: line.text for line in said}
+    last = max(there, default=0)
+    return [
+        (structs.replace(chat, text=there.get(chat.number, chat.text)), to)
+        for chat, to in room.chat
+        if chat.number in there or (said and chat.number > last)
+    ]

@@ -8,6 +8,7 @@ from vrts.live.lasting.clock import steady
 from vrts.live.rooms.entering import remove, send_away
 from vrts.live.rooms.hub import Hub
 from vrts.live.rooms.keeping import control_changed, keep_soon
+from vrts.live.rooms.opening import forget_purged
 from vrts.live.rooms.private.branching import end_empty
 from vrts.live.rooms.room import Room
 from vrts.live.rooms.wall import show_wall
@@ -38,6 +39,7 @@ async def pulse(hub: Hub) -> None:
             _keep_reached(hub)
             with contextlib.suppress(NO_ROOM):  # it is looked again in a second
                 await _send_purged_away(hub)
+                await forget_purged(hub)
                 await end_empty(hub)
                 await hub.ways.look()
 

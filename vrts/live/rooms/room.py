@@ -150,9 +150,13 @@ class Room:
             for line, to in self.chat
             if line.name != name
         ]
-        self.chat.clear()
-        self.chat.extend(kept)
         self.notes = [note for note in self.notes if note.name != name]
+        self.have_said(kept)
+
+    def have_said(self, lines: list[tuple[Chat, Audience]]) -> None:
+        """Have only some lines been said; who comes back is told everything again."""
+        self.chat.clear()
+        self.chat.extend(lines)
         self._told.clear()
         self._bytes = 0
 

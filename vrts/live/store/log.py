@@ -93,7 +93,7 @@ def append_now(connection: sqlite3.Connection, entry: Entry) -> None:
     row = connection.execute("SELECT 1 FROM account WHERE id=?", (entry.account,)).fetchone()
     seq = append(connection, entry if row else entry._replace(account=None, name=""))
     if row is None:
-        _purge_text(connection, entry.room, seq, entry.wall, LATE)
+        purge_text(connection, entry.room, seq, LATE)
 
 
 def records(connection: sqlite3.Connection, room: str) -> Iterator[Logged]:
@@ -192,18 +192,17 @@ def export(connection: sqlite3.Connection, room: str, *, names: bool) -> bytes:
 
 def purge(connection: sqlite3.Connection, account: int) -> None:
     """Forget who somebody was and what they wrote; the chains stay, with a note for each text."""
-    at = wall()
     rows = connection.execute("SELECT room, seq FROM log_text WHERE account=?", (account,))
     for room, seq in rows.fetchall():
-        _purge_text(connection, room, seq, at, ASKED)
+        purge_text(connection, room, seq)
     connection.execute("DELETE FROM log_name WHERE account=?", (account,))
     connection.execute("DELETE FROM chat WHERE account=? OR reader=?", (account, account))
     connection.execute("DELETE FROM account WHERE id=?", (account,))
 
 
-def _purge_text(connection: sqlite3.Connection, room: str, seq: int, at: float, why: str) -> None:
+def purge_text(connection: sqlite3.Connection, room: str, seq: int, why: str = ASKED) -> None:
     """Remove the text of a record, and note that it was purged."""
-    at = round(at, 3)
+    at = round(wall(), 3)
     (content,) = connection.execute(
         "SELECT content FROM log WHERE room=? AND seq=?", (room, seq)
     ).fetchone()

@@ -5,6 +5,7 @@ from typing import Final, NamedTuple
 
 from vrts.live.store.seals.connection import naming
 
+PURGES: Final = "purges"  # counter of how often somebody was purged
 HISTORY: Final = 200  # lines of chat that late comers see
 MOST_SAID: Final = 5000  # lines of chat that a replay shows, the last ones
 

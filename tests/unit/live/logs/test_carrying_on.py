@@ -127,7 +127,7 @@ def test_where_it_cannot_go_on_it_begins_anew_and_says_why(tmp_path: Path) -> No
     server.close_browsers()
     before = next((folder / SESSIONS).glob("*/p*")).parent
     (before / FILE).write_bytes(b"what was long ago")
-    assert purge_user(folder, "Anna") == 1
+    assert purge_user(folder, "Anna").accounts == 1
     assert not (before / FILE).exists()
     assert (before / OFF).exists(), "a server that runs does not keep it again"
 

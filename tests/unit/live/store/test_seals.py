@@ -253,7 +253,7 @@ def test_another_database_in_place_of_one_shows(term: Term) -> None:
 
 
 def test_a_purge_leaves_notes_and_no_fault(term: Term) -> None:
-    assert administration.purge_user(term.folder, "Anna", term.key) == 1
+    assert administration.purge_user(term.folder, "Anna", term.key).accounts == 1
     told = term.told()
     assert [text.partition(", last")[0] for text in told] == [
         f"{text}; the texts of 2 were purged" for text in UNTOUCHED
