@@ -52,7 +52,7 @@ function announcement(place, store, connection, counts) {
       place.hidden = false;
       place.replaceChildren(
         make("p", { class: "who" }, "Announcement by ", isolated(announced.name), ...badges("supervisor"), ` ${time}`),
-        make("p", { class: "what", dir: "auto", text: announced.text }),
+        make("div", { class: "what", dir: "auto", text: announced.text }),
         ...(supervisor && counts ? [seen] : []),
         make("div", { class: "row small" }, button("Close", close, { class: "close", title: "Closes it on this page" }),
           ...(supervisor ? [button("Take it down", () => connection.send("end_announcement"), { title: "Closes it on every page" })] : [])));

@@ -120,7 +120,7 @@ function block(title, what, wide = false) {
 
 /** What is long scrolls by itself, by keyboard too. @param {string} name @param {HTMLElement[]} what */
 function scroll(name, ...what) {
-  return make("div", { class: "admin-scroll", tabindex: "0", role: "group", "aria-label": name }, ...what);
+  return make("div", { class: "admin-scroll", tabindex: "0", role: "region", "aria-label": name }, ...what);
 }
 
 /** @param {HTMLElement} list @param {string[][]} rows */
