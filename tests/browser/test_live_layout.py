@@ -175,7 +175,7 @@ def test_the_pointer_snaps_to_objects_and_two_points_are_measured(anna: Desk) ->
     page.select_option("#measure-from", "body base1")
     page.select_option("#measure-to", "body base2")
     assert page.inner_text("#measured") == "390.0 mm: dx 150.0, dy 360.0, dz 0.0"
-    page.click("[aria-label^='To: click']")
+    page.click("[aria-label='Pick in the picture: To']")
     box = page.locator("#canvas").bounding_box()
     assert box is not None
     page.click("[data-look=top]")

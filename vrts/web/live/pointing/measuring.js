@@ -29,7 +29,7 @@ export function mountMeasure({ store, world, pointer }) {
   let line = null;
   const ends = ["From", "To"].map((name, i) => {
     const list = choice([], { id: `measure-${name.toLowerCase()}`, change: show });
-    const pick = button("Pick", () => wait(waits === i ? null : i), { "aria-label": `${name}: click a point in the picture`, "aria-pressed": "false" });
+    const pick = button("Pick", () => wait(waits === i ? null : i), { "aria-label": `Pick in the picture: ${name}`, "aria-pressed": "false" });
     return { list, pick, row: make("div", { class: "row" }, make("label", { for: list.id }, name, list), pick) };
   });
   const said = make("output", { class: "measured", id: "measured", for: "measure-from measure-to" });
