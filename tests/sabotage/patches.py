@@ -2632,6 +2632,13 @@ PATCHES: tuple[Patch, ...] = (
         "return open_structures(lines) == -2",
         ("tests/unit/lang/reading/test_sections.py",),
     ),
+    Patch(
+        "a live room is told the hidden part of its task",
+        "vrts/live/session/setting.py",
+        "start.scene or None, lab=lab)",
+        "start.scene or None, lab=lab, staff=True)",
+        ("tests/unit/live/session/marks/test_public_mark.py",),
+    ),
     *CERTIFIED,
     *PROOFS,
     Patch(
