@@ -114,7 +114,7 @@ class NoSession(Message, frozen=True, tag="no_session"):
 
     why: str = ""
     help: str = ""  # what to do; told to supervisors only
-    choices: tuple[str, ...] = ()  # "again", "without_last", "anew"; told to supervisors only
+    choices: tuple[str, ...] = ()  # "again", "without_last", "begin"; told to supervisors only
 
 
 class Result(Message, frozen=True, tag="result"):

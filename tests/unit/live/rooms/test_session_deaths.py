@@ -90,7 +90,7 @@ def test_who_dies_again_and_again_waits_for_the_supervisor(tmp_path: Path) -> No
         waits = kill_until_it_waits(server, boss)
         assert "SIGKILL" in waits["why"]
         assert "`DO a = 2`" in waits["why"]
-        assert waits["choices"] == ["again", "without_last", "anew"]
+        assert waits["choices"] == ["again", "without_last", "begin"]
         anna = server.join(server.enter("Anna"))
         told = anna.wait("no_session")
         assert told["why"] == waits["why"]

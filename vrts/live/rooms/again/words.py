@@ -8,7 +8,7 @@ from vrts.live.names import readable
 from vrts.live.protocol.from_server import NoSession
 
 LONGEST: Final = 80  # characters of a command that are shown
-AGAIN, WITHOUT_LAST, ANEW = "again", "without_last", "anew"  # as `GoOn` and `SetScene` do them
+AGAIN, WITHOUT_LAST, ANEW = "again", "without_last", "begin"  # as `GoOn` and `SetScene` do them
 
 
 def not_offered(scene: str) -> NoSession:

@@ -8,7 +8,7 @@ import { byId, button, make } from "../dom.js";
 const CHOICES = {
   again: ["Try again", ({ connection }) => connection.send("go_on", { without_last: false })],
   without_last: ["Go on without the last command", ({ connection }) => connection.send("go_on", { without_last: true })],
-  anew: ["Begin again", ({ connection, store }) => connection.send("set_scene", { scene: store.now.room?.scene ?? "" })],
+  begin: ["Begin again", ({ connection, store }) => connection.send("set_scene", { scene: store.now.room?.scene ?? "" })],
 };
 
 /** @param {App} app */

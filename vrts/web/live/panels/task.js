@@ -32,7 +32,7 @@ export function mountTask(app) {
     make("table", { class: "lost-list", "aria-label": "Points lost, costliest first" }, losses), nothing);
   const rules = make("ul", { class: "rule-list" });
   const asked = make("div", {}, make("div", { class: "task-head" }, head, mark), text, goals, make("h2", { text: "Points lost so far" }), lostBox,
-    make("details", { open: true, class: "besides" }, make("summary", { text: "What counts besides" }), rules));
+    make("details", { open: true, class: "other-rules" }, make("summary", { text: "What else counts" }), rules));
   const things = make("ul", { class: "thing-list", id: "thing-list" });
   const facts = make("div", { class: "thing-facts", role: "region", "aria-label": "What is selected" });
   panel.append(asked, make("h2", { text: "Things" }), things, facts,
