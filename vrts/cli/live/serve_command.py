@@ -160,9 +160,10 @@ def command(
         fail("`--output` goes with `--export-user`")
     if add_user or purge_user or export_user or verify_logs or accept_logs or backup:
         from vrts.live.settings import DATABASE
-        from vrts.live.store.unusable import in_one_sentence
+        from vrts.live.store.unusable import in_one_sentence, require_ours
 
         with in_one_sentence(folder / DATABASE):
+            require_ours(folder / DATABASE)
             if add_user or backup:
                 administer(folder, add_user, backup, supervisor=supervisor)
             if export_user:

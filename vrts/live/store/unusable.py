@@ -6,7 +6,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Final
 
-from vrts.live.store.migrations import NotMigrated, TooNew, version_of
+from vrts.live.store.migrations import STEPS, NotMigrated, TooNew, version_of
 from vrts.pipeline.files import CannotRead
 
 OURS: Final = frozenset(("account", "room", "log"))  # tables that every version has
@@ -31,10 +31,11 @@ _WHAT: Final = {  # names of SQLite's result codes, the longest that fits counts
 
 
 def require_ours(path: Path) -> None:
-    """Make sure that a file is absent or a database of vrts; nothing is written.
+    """Make sure that a file is absent or a database of vrts that we know; nothing is written.
 
     Raises:
         CannotRead: It is none.
+        TooNew: A later vrts wrote it.
         sqlite3.Error: It cannot be read.
     """
     if not path.exists():
@@ -53,6 +54,8 @@ def require_ours(path: Path) -> None:
         connection.close()
     if tables and (version == 0 or not tables >= OURS):
         raise CannotRead(f"`{path}` is a database of another program", (_OTHER,))
+    if version > len(STEPS):
+        raise TooNew(f"the database is of a later version: {version}")
 
 
 def require_whole(path: Path) -> None:

@@ -121,11 +121,12 @@ def test_a_database_of_no_use_is_named_and_stays(
     before = path.read_bytes()
     assert words in refused(tmp_path)
     assert path.read_bytes() == before, "nothing was written"
-    said = vrts_text("serve", "--folder", tmp_path, "--purge-user", "Anna")
-    if make is not truncated:  # of which this may not need what is missing
-        assert said.returncode == 2
-        assert words in said.stderr
-    assert "Traceback" not in said.stderr
+    for option in ("--verify-logs", "--purge-user=Anna"):
+        said = vrts_text("serve", "--folder", tmp_path, option)
+        if make is not truncated:  # of which they may not need what is missing
+            assert said.returncode == 2
+            assert words in said.stderr
+        assert "Traceback" not in said.stderr
     assert path.read_bytes() == before or make is truncated
 
 

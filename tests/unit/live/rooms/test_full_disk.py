@@ -10,6 +10,7 @@ from typing import Any
 from tests.support_live import Browser, LiveServer
 from tests.unit.live.rooms.test_session_deaths import boss_cookie, done, session_of, settled
 from vrts.live.logs.log_file import read_log
+from vrts.live.session.views.frame import unpacked
 from vrts.live.settings import DATABASE
 from vrts.live.store import log
 from vrts.live.store.database import Answer, Connection, Database, opened
@@ -30,6 +31,13 @@ def refused_by_disk(boss: Browser, lease: str, line: str) -> str:
     return answer["code"]
 
 
+def until_it_took_effect(boss: Browser) -> None:
+    """Wait until session time is well after the last command."""
+    since_s = unpacked(boss.take_frames(1)[0]).time_s
+    while unpacked(boss.take_frames(1)[0]).time_s < since_s + 0.2:
+        pass
+
+
 def test_nothing_is_acknowledged_while_the_disk_is_full(tmp_path: Path) -> None:
     with LiveServer(tmp_path / "live") as server:
         boss, _ = settled(server, server.supervisor())
@@ -43,6 +51,7 @@ def test_nothing_is_acknowledged_while_the_disk_is_full(tmp_path: Path) -> None:
         boss.send("say", text="hello")
         assert boss.wait("refused")["code"] == "disk"
         assert server.request("POST", "/enter", {"code": server.code, "name": "x"}).status == 503
+        until_it_took_effect(boss)  # a panic before that would have ended it
         boss.send("panic")  # is always obeyed
         session_of(server).kill()  # and even now nothing is lost
         disk(server, full=False)

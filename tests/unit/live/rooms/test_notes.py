@@ -88,7 +88,7 @@ def test_a_note_is_told_kept_and_shown_again(tmp_path: Path) -> None:
         assert {HOSTILE, "well done", "the last one", "after the night"} <= set(texts)
         assert all(note["at_s"] > 0.0 for note in snapshot["notes"])
 
-        assert purge_user(tmp_path / "live", "Ben") == 1
+        assert purge_user(tmp_path / "live", "Ben").accounts == 1
         said = voices(server, boss_cookie, room)
         assert not any(name == "Ben" for _, name, _ in said)
         lease = boss.take_control()
