@@ -68,8 +68,19 @@ class Child:
 
     def status(self) -> int:
         """Wait for the end and return the exit status."""
+        until = time.monotonic() + PATIENCE
         while self._read():
-            pass
+            assert time.monotonic() < until, f"it does not end: {self._unread!r}"
+        return self._process.wait(PATIENCE)
+
+    def leave(self) -> int:
+        """Press Ctrl-D until it ends, return the exit status: one between two prompts is lost."""
+        until = time.monotonic() + PATIENCE
+        while self._read(0.05):
+            assert time.monotonic() < until, f"it does not end: {self._unread!r}"
+            if self._sleeps() and not termios.tcgetattr(self._master)[3] & termios.ICANON:
+                self.send("\x04")  # a prompt waits for keys
+                self._read()
         return self._process.wait(PATIENCE)
 
     def until_signals(self) -> None:
@@ -81,8 +92,8 @@ class Child:
 
     def until_it_waits(self) -> None:
         """Wait until it sleeps: Ctrl-C just before Python reads is seen only after the reading."""
-        state, until = Path(f"/proc/{self._process.pid}/stat"), time.monotonic() + PATIENCE
-        while state.read_text().rpartition(")")[2].split()[0] != "S":
+        until = time.monotonic() + PATIENCE
+        while not self._sleeps():
             assert time.monotonic() < until, f"it works on: {self._unread!r}"
             assert self._read(0.01), f"it has ended: {self._unread!r}"
 
@@ -98,6 +109,10 @@ class Child:
             self._process.kill()
             self._process.wait()
         os.close(self._master)
+
+    def _sleeps(self) -> bool:
+        state = Path(f"/proc/{self._process.pid}/stat").read_text().rpartition(")")[2]
+        return state.split()[0] == "S"
 
     def _read(self, seconds: float = 1.0) -> bool:
         """Read what is there; return False at the end."""
