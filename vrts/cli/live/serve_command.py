@@ -6,7 +6,7 @@ from pathlib import Path
 import click
 
 from vrts.cli.live import person
-from vrts.cli.live.service import print_service
+from vrts.cli.live.service import folder_of_key, print_service
 from vrts.cli.live.ways_in import Change, change_ways_in
 from vrts.cli.shared.console import INTERRUPTED, WRONG, fail, guarded, say, warn
 from vrts.cli.shared.options import file_option, lab_option
@@ -174,10 +174,15 @@ def command(
                 check_logs(folder, log_key, accept=accept_logs, verify=verify_logs)
         return
     if ways_in or renew_code or end_way or supervisor_link:
-        change_ways_in(
-            folder,
-            Change(renew=renew_code, end=end_way or "", away=send_away, link=supervisor_link),
-        )
+        from vrts.live.settings import DATABASE
+        from vrts.live.store.unusable import in_one_sentence, require_ours
+
+        with in_one_sentence(folder / DATABASE):
+            require_ours(folder / DATABASE)
+            change_ways_in(
+                folder,
+                Change(renew=renew_code, end=end_way or "", away=send_away, link=supervisor_link),
+            )
         return
     if send_away:
         fail("`--send-away` goes with `--renew-code` or `--end-way`")
@@ -186,7 +191,7 @@ def command(
     if (tls_cert is None) != (tls_key is None):
         fail("`--tls-cert` and `--tls-key` go together")
     if service:
-        keys = () if log_key is None else (log_key.parent,)
+        keys = () if log_key is None else (folder_of_key(log_key, folder),)
         print_service(click.get_current_context(), (folder, *keys), port)
         return
     try:

@@ -34,6 +34,25 @@ def print_service(context: click.Context, writes: tuple[Path, ...], port: int) -
     out(unit(service), end=False)
 
 
+def folder_of_key(key: Path, folder: Path) -> Path:
+    """Return the folder of a key, which is given to the service's user with all that is in it.
+
+    So it may hold nothing else.
+    """
+    own = key.absolute().parent
+    try:
+        others = [file for file in own.iterdir() if not file.name.startswith(key.name)]
+        alone = not others and not folder.resolve().is_relative_to(own.resolve())
+    except FileNotFoundError:
+        alone = not folder.resolve().is_relative_to(own.resolve())
+    except OSError:  # nobody may look into it, or it is no folder
+        alone = False
+    if not alone:
+        hint = f"such as `--log-key {own / 'vrts-log-key' / key.name}`"
+        fail(f"a service needs a folder for its key alone, and `{own}` holds more", (hint,))
+    return own
+
+
 def _words(context: click.Context) -> tuple[list[str], tuple[Path, ...]]:
     """Return the arguments of this call with absolute paths, and the paths that are read."""
     words: list[str] = []

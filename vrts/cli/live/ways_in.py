@@ -1,5 +1,7 @@
 """What `vrts serve` does to a folder's ways in from the command line, and ends."""
 
+import sqlite3
+from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
@@ -17,33 +19,60 @@ class Change(NamedTuple):
 
 
 def change_ways_in(folder: Path, change: Change) -> None:
-    """Do what is wanted, or list the ways in."""
-    from vrts.live.entrance import by_hand
-    from vrts.live.entrance.class_code import kept_code
+    """Do all that is wanted or nothing of it, or list the ways in.
+
+    Raises:
+        sqlite3.Error: The database does not take it.
+    """
+    from vrts.live.entrance.by_hand import code_or_as_before
     from vrts.live.settings import DATABASE
     from vrts.live.store.database import opened
+
+    if not (folder / DATABASE).is_file():
+        fail(f"there is no server's database in `{folder}`")
+    connection = opened(folder / DATABASE)
+    try:
+        if not (change.end or change.renew or change.link):
+            _list(folder, connection)
+            return
+        with code_or_as_before(folder):
+            connection.execute("BEGIN IMMEDIATE")
+            told = list(_changed(folder, connection, change))
+            connection.execute("COMMIT")
+    finally:
+        if connection.in_transaction:
+            connection.execute("ROLLBACK")
+        connection.close()
+    if change.end:
+        say(f"`{change.end}` lets nobody in any more")
+    for line in told:
+        out(line)
+
+
+def _changed(folder: Path, connection: sqlite3.Connection, change: Change) -> Iterator[str]:
+    """Do what is wanted, and yield what to tell of it."""
+    from vrts.live.entrance import by_hand
+    from vrts.live.tokens import grouped
+
+    now = wall()
+    if change.end and not by_hand.end(folder, connection, change.end, now, away=change.away):
+        fail(f"there is no way in called `{change.end}`", ("`--ways-in` lists them",), WRONG)
+    if change.renew:
+        code = by_hand.fresh_code(folder, connection, now, away=change.away)
+        yield f"class code: {grouped(code)}"
+    if change.link:
+        token = by_hand.supervisor_link(connection, now)
+        yield f"supervisor, once, after the server's address: /#enter={token}"
+
+
+def _list(folder: Path, connection: sqlite3.Connection) -> None:
+    from vrts.live.entrance import by_hand
+    from vrts.live.entrance.class_code import kept_code
     from vrts.live.store.links import links
     from vrts.live.store.rooms import open_rooms
     from vrts.live.tokens import grouped
 
-    if not (folder / DATABASE).is_file():
-        fail(f"there is no server's database in `{folder}`")
-    connection, now = opened(folder / DATABASE), wall()
-    try:
-        if change.end and not by_hand.end(folder, connection, change.end, now, away=change.away):
-            fail(f"there is no way in called `{change.end}`", ("`--ways-in` lists them",), WRONG)
-        if change.end:
-            say(f"`{change.end}` lets nobody in any more")
-        if change.renew:
-            code = by_hand.fresh_code(folder, connection, now, away=change.away)
-            out(f"class code: {grouped(code)}")
-        if change.link:
-            token = by_hand.supervisor_link(connection, now)
-            out(f"supervisor, once, after the server's address: /#enter={token}")
-        if not (change.end or change.renew or change.link):
-            rooms = {room.id: room.name for room in open_rooms(connection)}
-            code = grouped(kept_code(folder))
-            for found in links(connection, now):
-                out(by_hand.words(found, code, rooms))
-    finally:
-        connection.close()
+    rooms = {room.id: room.name for room in open_rooms(connection)}
+    code = grouped(kept_code(folder))
+    for found in links(connection, wall()):
+        out(by_hand.words(found, code, rooms))

@@ -10,6 +10,7 @@ from vrts.live.limits import Bucket
 MOST: Final = 40  # at once; each takes about 55 MB
 BEGUN: Final = (0.1, 6.0)  # by one person, a second and at once: each costs 0.6 s of processor
 REMEMBERED: Final = 2000  # persons whose beginnings are counted
+QUIET_S: Final = 30.0  # without a message, after which a seat is given to who finds none free
 
 
 class Seat:
@@ -19,6 +20,8 @@ class Seat:
         """Give it to somebody."""
         self.account = account
         self.taken = asyncio.Event()  # somebody else has it now, or the server ends
+        self.wanted = False  # it was taken for another person
+        self.heard_s = time.monotonic()  # when its browser said something last
 
 
 class Seats:
@@ -38,7 +41,10 @@ class Seats:
         return self._place
 
     def take(self, account: int) -> Seat | None:
-        """Return a seat; None where all are given to others, or somebody begins too often."""
+        """Return a seat; None where all are given to others, or somebody begins too often.
+
+        Where all are given, the one goes in which nothing was written for longest.
+        """
         bucket = self._begun.setdefault(account, Bucket(*BEGUN))
         if not bucket.take(time.monotonic()):
             return None
@@ -47,10 +53,20 @@ class Seats:
         before = self._of.get(account)
         if before is not None:
             before.taken.set()
-        elif len(self._of) >= self._most:
+        elif len(self._of) >= self._most and not self._free():
             return None
         seat = self._of[account] = Seat(account)
         return seat
+
+    def _free(self) -> bool:
+        """Take back the seat that is quiet for longest; return whether there is one."""
+        seat = min(self._of.values(), key=lambda one: one.heard_s)
+        if time.monotonic() - seat.heard_s < QUIET_S:
+            return False
+        del self._of[seat.account]
+        seat.wanted = True
+        seat.taken.set()
+        return True
 
     def give_back(self, seat: Seat) -> None:
         """Take a seat back from who has no use for it."""

@@ -3,10 +3,13 @@
 A server that runs takes over what was changed within a second or so.
 """
 
+import contextlib
 import time
+from collections.abc import Generator
+from contextlib import contextmanager
 from pathlib import Path
 
-from vrts.live.entrance.class_code import keep_code, kept_code
+from vrts.live.entrance.class_code import FILE, keep_code, kept_code
 from vrts.live.entrance.guessing import length_after
 from vrts.live.store import links
 from vrts.live.store.accounts import ONCE_S, add_link
@@ -30,6 +33,21 @@ def fresh_code(folder: Path, connection: Connection, now: float, *, away: bool =
     keep_code(folder, text)
     links.replace_code(connection, text, now, away=away)
     return text
+
+
+@contextmanager
+def code_or_as_before(folder: Path) -> Generator[None]:
+    """Put the file with the class code back when what is done to the database meanwhile fails."""
+    path = folder / FILE
+    before = path.read_bytes() if path.is_file() else b""
+    try:
+        yield
+    except BaseException:
+        now = path.read_bytes() if path.is_file() else b""
+        if now != before:
+            with contextlib.suppress(OSError):
+                keep_code(folder, before.decode("utf-8", "replace").strip())
+        raise
 
 
 def no_code(folder: Path, connection: Connection, now: float, *, away: bool = False) -> str:

@@ -1,6 +1,7 @@
 """The ways into a server while it runs: its class code and links, what they let in, their end."""
 
 import asyncio
+import contextlib
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -14,7 +15,7 @@ from vrts.live.entrance.log_ins import LogIns
 from vrts.live.lasting.clock import wall
 from vrts.live.store import links
 from vrts.live.store.accounts import LINK_S, MANY, add_link
-from vrts.live.store.database import Connection, Database
+from vrts.live.store.database import Connection, Database, Failed
 from vrts.live.store.guests import Crowd, crowd, unused
 from vrts.live.store.links import KeptLink
 from vrts.live.tokens import digest, grouped, new_token
@@ -55,6 +56,7 @@ class WaysIn:
         self._address = address
         self._has_code = has_code
         self._ahead = 0
+        self._kept = ""  # the code that the database knows
         self._renewing = asyncio.Lock()
 
     async def open(self) -> None:
@@ -66,7 +68,7 @@ class WaysIn:
             return text, links.wrong_guesses(connection), unused(connection)
 
         text, self._ahead, waiting = await self._database.do(read)
-        self.code = ClassCode(text, self._ahead)
+        self.code, self._kept = ClassCode(text, self._ahead), text
         self.entries.remember(waiting)
 
     def url(self, token: str = "") -> str:
@@ -97,6 +99,9 @@ class WaysIn:
         Args:
             none: Have no code instead.
             away: Send those away who came in by the code of before.
+
+        Raises:
+            Failed, OSError: It cannot be kept, so the code of before is the code again.
         """
         text = "" if none else self.code.fresh()
         self.code.replace(text)  # first of all: no guess at the old one is right any more
@@ -108,7 +113,16 @@ class WaysIn:
             links.replace_code(connection, text, now, away=away)
 
         async with self._renewing:  # one after another
-            await self._database.do(renew)
+            try:
+                await self._database.do(renew)
+            except (Failed, OSError):
+                with contextlib.suppress(OSError):
+                    keep_code(folder, self._kept)
+                if self.code.text == text:  # it was not renewed once more meanwhile
+                    self.code.replace(self._kept)
+                    self.changed()
+                raise
+            self._kept = text
 
     async def make_link(self, room: str) -> str:
         """Make a link that lets many into a room, under their names; return its address."""
@@ -164,6 +178,7 @@ class WaysIn:
         if text and digest(text) != kept:
             return  # it is being written
         self.code.replace(text)
+        self._kept = text
         self.changed()
 
 

@@ -2,7 +2,7 @@
 
 import gc
 from collections.abc import AsyncGenerator
-from contextlib import asynccontextmanager
+from contextlib import asynccontextmanager, suppress
 
 from starlette.applications import Starlette
 from starlette.requests import HTTPConnection
@@ -89,8 +89,13 @@ def application(
         await serve_socket(hub, sessions, websocket, account, browsers)
 
     async def help_(websocket: WebSocket) -> None:
+        async def still() -> bool:
+            with suppress(NO_ROOM):  # nobody logs out or is purged then
+                return await pages.who(websocket.cookies) is not None
+            return True
+
         account = await pages.who(websocket.cookies)
-        await serve_help(seats, websocket, account)
+        await serve_help(seats, websocket, account, still)
 
     def no_disk(_: HTTPConnection, __: Exception) -> Response:
         return refused(503, "disk", NO_DISK, DISK_HELP)

@@ -14,15 +14,24 @@ JSON: Final = "application/json"
 Body = TypeVar("Body")
 
 
-async def read_body(request: Request, kind: type[Body]) -> Body | Response:
-    """Return the JSON body of a request, or why it is refused."""
+async def read_body(
+    request: Request, kind: type[Body], *, longest: int = LONGEST_BODY, what: str = "body"
+) -> Body | Response:
+    """Return the JSON body of a request, or why it is refused.
+
+    Args:
+        request: The request.
+        kind: What it has to be.
+        longest: Bytes that are read.
+        what: Is too long if there are more.
+    """
     if request.headers.get("content-type", "").split(";")[0].strip() != JSON:
         return refused(415, "body", f"the body must be {JSON}")
-    data = b""
+    data = bytearray()
     async for part in request.stream():
         data += part
-        if len(data) > LONGEST_BODY:
-            return refused(413, "body", "the body is too long")
+        if len(data) > longest:
+            return refused(413, "body", f"the {what} is too long")
     try:
         return msgspec.json.decode(data, type=kind)
     except msgspec.DecodeError as problem:

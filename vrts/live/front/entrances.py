@@ -63,8 +63,7 @@ class EntrancePages:
         inherited: list[Inherited] = []
 
         def let_in(connection: Connection) -> tuple[Account, str] | None:
-            guests.make_place(connection, here, now)
-            account = accounts.enter(connection, body.code, body.name, now)
+            account = guests.come_in(connection, body.code, body.name, now, here=here)
             if account is None:
                 return None
             old = accounts.who(connection, token, now)

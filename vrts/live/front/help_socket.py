@@ -2,7 +2,7 @@
 
 import asyncio
 import time
-from collections.abc import Coroutine
+from collections.abc import Awaitable, Callable, Coroutine
 from typing import Any, Final
 
 import msgspec
@@ -21,19 +21,33 @@ MOST_ASKED: Final = 16  # questions that wait for their answers
 MOST_BAD: Final = 20  # messages that mean nothing, after which a connection ends
 PATIENCE_S: Final = 20.0  # for an answer
 IDLE_S: Final = 900.0  # without a message, after which the help ends; it comes back when asked
-LOOK_S: Final = 1.0  # how often that is looked at
+LOOK_S: Final = 1.0  # how often that is looked at, and whether the cookie still holds
 SEND_S: Final = 20.0  # until a browser must have taken a message
 
 ELSEWHERE: Final = ("elsewhere", "your editor is open in another tab, where the help is now")
 IDLE: Final = ("idle", "nothing was written for a while: the help comes back when you write")
+WANTED: Final = ("idle", "others needed the help meanwhile: it comes back when you write")
+LOGGED_OUT: Final = ("login", "you are not logged in any more")
 STUCK: Final = ("stuck", "the help took too long and was ended; it begins again")
 GONE: Final = ("gone", "the help has ended; it begins again")
 BAD: Final = ("message", "too many messages came that mean nothing")
 TOO_MUCH: Final = ("limit", "too much was asked at once")
 
 
-async def serve_help(seats: Seats, websocket: WebSocket, account: Account | None) -> None:
-    """Serve an editor until it ends; `Host` and `Origin` were looked at before."""
+async def serve_help(
+    seats: Seats,
+    websocket: WebSocket,
+    account: Account | None,
+    still: Callable[[], Awaitable[bool]],
+) -> None:
+    """Serve an editor until it ends; `Host` and `Origin` were looked at before.
+
+    Args:
+        seats: Of the server.
+        websocket: Of the editor.
+        account: Whose it is; None: nobody is logged in.
+        still: Tells whether the account is still there, and logged in.
+    """
     if account is None:
         refusal = refused(401, "login", "nobody is logged in", "open the join link again")
         await websocket.send_denial_response(refusal)
@@ -47,7 +61,7 @@ async def serve_help(seats: Seats, websocket: WebSocket, account: Account | None
     try:
         await websocket.accept()
         helper = await begun(seats.folder)
-        await _Talk(websocket, helper, seat).go_on()
+        await _Talk(websocket, helper, seat, still).go_on()
     finally:
         seats.give_back(seat)
         if helper is not None:
@@ -57,14 +71,20 @@ async def serve_help(seats: Seats, websocket: WebSocket, account: Account | None
 class _Talk:
     """Between one browser and one language server."""
 
-    def __init__(self, websocket: WebSocket, helper: Helper, seat: Seat) -> None:
+    def __init__(
+        self,
+        websocket: WebSocket,
+        helper: Helper,
+        seat: Seat,
+        still: Callable[[], Awaitable[bool]],
+    ) -> None:
         self._websocket = websocket
         self._helper = helper
         self._seat = seat
+        self._still = still
         self._waiting: dict[int, tuple[Asked, float]] = {}  # and since when [s]
         self._opened = False
         self._ready = asyncio.Event()
-        self._heard_s = time.monotonic()  # when the browser said something last
 
     async def go_on(self) -> None:
         """Pass on what is allowed, until one of them ends or must be ended."""
@@ -98,7 +118,7 @@ class _Talk:
             event: dict[str, Any] = dict(await self._websocket.receive())
             if event["type"] == "websocket.disconnect":
                 return None
-            self._heard_s = now = time.monotonic()
+            self._seat.heard_s = now = time.monotonic()
             if not bucket.take(now) or self._helper.behind:
                 return TOO_MUCH
             message = self._read(event.get("text") or "")
@@ -155,18 +175,20 @@ class _Talk:
         return GONE
 
     async def _watch(self) -> tuple[str, str]:
-        """Return when nobody writes any more, or no answer comes."""
+        """Return when nobody writes any more or is logged in, or no answer comes."""
         while True:
             await asyncio.sleep(LOOK_S)
             now = time.monotonic()
-            if now - self._heard_s > IDLE_S:
+            if now - self._seat.heard_s > IDLE_S:
                 return IDLE
+            if not await self._still():
+                return LOGGED_OUT
             if any(now - since > PATIENCE_S for _, since in self._waiting.values()):
                 return STUCK
 
     async def _taken(self) -> tuple[str, str]:
         await self._seat.taken.wait()
-        return ELSEWHERE
+        return WANTED if self._seat.wanted else ELSEWHERE
 
     async def _send(self, data: bytes) -> None:
         async with asyncio.timeout(SEND_S):

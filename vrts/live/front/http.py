@@ -75,9 +75,10 @@ class Pages:
             return refused(403, "room", "this link is for another room")
         key = f"{room.id}/{session}"
         if key not in self._scenes:
-            old = [k for k in self._scenes if k.startswith(f"{room.id}/")]
-            for k in old:
-                del self._scenes[k]
+            for old in list(self._scenes):  # of sessions of before, and of rooms that are closed
+                id_ = old.partition("/")[0]
+                if id_ == room.id or id_ not in self._hub.rooms:
+                    del self._scenes[old]
             self._scenes[key] = content(process.scene, JSON)
         return self._scenes[key].answer(request, cache="private, no-cache")
 

@@ -3,13 +3,13 @@
 import time
 from collections import OrderedDict
 from collections.abc import Awaitable, Callable
-from typing import Final, Literal, NamedTuple, TypeVar
+from typing import Final, Literal, NamedTuple
 
-import msgspec
 from starlette.requests import Request
 from starlette.responses import Response
 from starlette.routing import Route
 
+from vrts.live.front.bodies import as_json, read_body
 from vrts.live.front.guard import refused
 from vrts.live.lasting.clock import wall
 from vrts.live.limits import Bucket
@@ -24,15 +24,27 @@ from vrts.live.protocol.over_programs import (
 from vrts.live.rooms.hub import Hub
 from vrts.live.store import programs
 from vrts.live.store.accounts import Account
-from vrts.live.store.programs import Version, own_shelf, room_shelf
+from vrts.live.store.database import Connection
+from vrts.live.store.program_limits import GuestsTogether, room_takes
+from vrts.live.store.programs import Outcome, Version, own_shelf, room_shelf
 
 LONGEST_BODY: Final = 1_300_000  # bytes: 200,000 characters, escaped
 RATE: Final = (0.5, 20.0)  # requests of a person that write, a second and at once
 PERSONS: Final = 2000  # whose requests are counted
-JSON: Final = "application/json"
 LONGEST_WORD: Final = 128  # characters of what an address holds
+FULL: Final = (
+    "your programs take all the place that one person has",
+    "delete some, or download them first",
+)
+FULL_ROOM: Final = (
+    "the programs of this room take all the place that a room has",
+    "ask the supervisor to delete some",
+)
+FULL_GUESTS: Final = (
+    "the programs of all guests take all the place that there is",
+    "download yours, and ask the supervisor to delete some",
+)
 
-Body = TypeVar("Body")
 Who = Callable[[dict[str, str]], Awaitable[Account | None]]
 
 
@@ -51,6 +63,7 @@ class ProgramPages:
         self._hub = hub
         self._who = who
         self._buckets: OrderedDict[int, Bucket] = OrderedDict()
+        self._together = GuestsTogether()
 
     def routes(self) -> list[Route]:
         """Return where they are asked."""
@@ -70,7 +83,7 @@ class ProgramPages:
         account, shelf = place
         own = await self._hub.database.do(lambda c: programs.programs(c, own_shelf(account.id)))
         room = await self._hub.database.do(lambda c: programs.programs(c, shelf))
-        return _json(KeptPrograms(_shown(own, account), _shown(room, account)))
+        return as_json(KeptPrograms(_shown(own, account), _shown(room, account)))
 
     async def versions(self, request: Request) -> Response:
         """Return the versions of a program, the newest first."""
@@ -79,7 +92,7 @@ class ProgramPages:
             return place
         name = request.query_params.get("name", "")[:LONGEST_WORD]
         found = await self._hub.database.do(lambda c: programs.versions(c, place.shelf, name))
-        return _json(_shown(found, place.account))
+        return as_json(_shown(found, place.account))
 
     async def text(self, request: Request) -> Response:
         """Return the text of a version."""
@@ -92,11 +105,11 @@ class ProgramPages:
         text = await self._hub.database.do(lambda c: programs.text_of(c, place.shelf, name, number))
         if text is None:
             return refused(404, "version", "this version is not kept any more")
-        return _json(KeptText(text))
+        return as_json(KeptText(text))
 
     async def keep(self, request: Request) -> Response:
         """Keep a text as the next version of a program."""
-        body = await _body(request, KeepProgram)
+        body = await read_body(request, KeepProgram, longest=LONGEST_BODY, what="program")
         if isinstance(body, Response):
             return body
         place = await self._place(request, body.room, body.shelf, writes=True)
@@ -104,18 +117,26 @@ class ProgramPages:
             return place
         account, shelf = place
         version = Version(body.name, 0, wall(), account.id, account.name, 0)
-        done = await self._hub.database.do(
-            lambda c: programs.save(c, shelf, version, body.text, body.seen)
-        )
+        length, clock = len(body.text), time.monotonic()
+
+        def save(connection: Connection) -> Outcome | tuple[str, str]:
+            if body.shelf == "room" and not room_takes(connection, body.room, body.name, length):
+                return FULL_ROOM
+            if not self._together.take(connection, account.id, length, clock):
+                return FULL_GUESTS
+            return programs.save(connection, shelf, version, body.text, body.seen)
+
+        done = await self._hub.database.do(save)
+        if not isinstance(done, Outcome):
+            return refused(409, "full", *done)
         if done.full:
-            words = "your programs take all the place that one person has"
-            return refused(409, "full", words, "delete some, or download them first")
+            return refused(409, "full", *FULL)
         newest = None if done.version is None else _one(done.version, account)
-        return _json(Kept(done.saved, newest))
+        return as_json(Kept(done.saved, newest))
 
     async def drop(self, request: Request) -> Response:
         """Forget a program of one's own; those of rooms are for supervisors to forget."""
-        body = await _body(request, DropProgram)
+        body = await read_body(request, DropProgram, longest=LONGEST_BODY, what="program")
         if isinstance(body, Response):
             return body
         place = await self._place(request, body.room, body.shelf, writes=True)
@@ -154,21 +175,6 @@ class ProgramPages:
         return bucket.take(time.monotonic())
 
 
-async def _body(request: Request, kind: type[Body]) -> Body | Response:
-    """Return the JSON body of a request, or why it is refused."""
-    if request.headers.get("content-type", "").split(";")[0].strip() != JSON:
-        return refused(415, "body", f"the body must be {JSON}")
-    data = bytearray()
-    async for part in request.stream():
-        data += part
-        if len(data) > LONGEST_BODY:
-            return refused(413, "body", "the program is too long")
-    try:
-        return msgspec.json.decode(data, type=kind)
-    except msgspec.DecodeError as problem:
-        return refused(400, "body", str(problem))
-
-
 def _shown(versions: list[Version], account: Account) -> tuple[KeptVersion, ...]:
     return tuple(_one(version, account) for version in versions)
 
@@ -176,7 +182,3 @@ def _shown(versions: list[Version], account: Account) -> tuple[KeptVersion, ...]
 def _one(version: Version, account: Account) -> KeptVersion:
     name, number, at, saver_id, saver, length = version
     return KeptVersion(name, number, at, saver, saver_id == account.id, length)
-
-
-def _json(value: object) -> Response:
-    return Response(msgspec.json.encode(value), media_type=JSON)

@@ -13,6 +13,7 @@ class Announcement:
     at: float  # Unix time [s]
     name: str
     text: str
+    account: int = 0  # whose words it are
     changed: bool = False  # supervisors have not been told how many
     _on_screen: set[int] = field(default_factory=set[int])
     _closed: set[int] = field(default_factory=set[int])

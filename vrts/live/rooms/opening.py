@@ -11,6 +11,7 @@ from vrts.live.rooms.control import ControlRight
 from vrts.live.rooms.entering import send_away
 from vrts.live.rooms.hub import Hub
 from vrts.live.rooms.room import Room
+from vrts.live.store.accounts import existing
 from vrts.live.store.bars import all_muted, bars_of
 from vrts.live.store.branches import branch_of
 from vrts.live.store.database import Connection
@@ -102,6 +103,12 @@ async def forget_purged(hub: Hub) -> None:
     before, hub.purges = hub.purges, count
     if before in (-1, count):
         return
+    told = hub.announcement
+    if told is not None:
+        there = await hub.database.do(lambda connection: existing(connection, (told.account,)))
+        if not there and hub.announcement is told:
+            hub.announcement = None
+            hub.show_announcement()
     names = {kept.id: kept.name for kept in await hub.database.do(open_rooms)}
     for room in list(hub.rooms.values()):
         noted = list(room.notes)

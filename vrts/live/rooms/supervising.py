@@ -216,6 +216,7 @@ async def _broadcast(hub: Hub, sessions: Sessions, member: Member, message: Broa
     if text:
         name = member.account.name
         hub.announcement = next_announcement(hub.announcement, wall(), name, text)
+        hub.announcement.account = member.account.id
         hub.show_announcement()
     for room in list(hub.rooms.values()):
         if text:

@@ -43,9 +43,10 @@ def add_account(
     shown = person_name(name)
     if not shown:
         raise ValueError("a name needs a letter or a digit")
-    others = [row[0] for row in connection.execute("SELECT name FROM account")]
+    rows = connection.execute("SELECT name, password IS NULL FROM account").fetchall()
+    others = [row[0] for row in rows]
     if password is None:
-        if len(others) >= GUESTS:
+        if sum(row[1] for row in rows) >= GUESTS:
             raise ValueError("there are too many guests")
         shown = own_name(shown, Taken(others), guest=not supervisor)
     elif shown in others:
@@ -134,17 +135,18 @@ def add_link(
     return id_
 
 
+def lets_in(connection: sqlite3.Connection, token: str, now: float) -> bool:
+    """Return whether there is such a link or code now."""
+    return _link_of(connection, token, now) is not None
+
+
 def enter(connection: sqlite3.Connection, token: str, name: str, now: float) -> Account | None:
     """Use a link or code; return the new account, None when there is no such link any more.
 
     Raises:
         ValueError: The name cannot be shown.
     """
-    row = connection.execute(
-        "SELECT supervisor, room, name, id FROM link"
-        " WHERE digest=? AND expires>? AND uses<>0 AND ended IS NULL",
-        (digest(token), now),
-    ).fetchone()
+    row = _link_of(connection, token, now)
     if row is None:
         return None
     supervisor, room, own, link = row
@@ -163,6 +165,18 @@ def existing(connection: sqlite3.Connection, accounts: Iterable[int]) -> set[int
         (json.dumps(sorted(accounts)),),
     )
     return {row[0] for row in found}
+
+
+def _link_of(
+    connection: sqlite3.Connection, token: str, now: float
+) -> tuple[int, str | None, str | None, str] | None:
+    """Return supervisor, room, name and id of the link or code that lets in by a token."""
+    row: tuple[int, str | None, str | None, str] | None = connection.execute(
+        "SELECT supervisor, room, name, id FROM link"
+        " WHERE digest=? AND expires>? AND uses<>0 AND ended IS NULL",
+        (digest(token), now),
+    ).fetchone()
+    return row
 
 
 def _account(row: tuple[int, str, int, str | None]) -> Account:

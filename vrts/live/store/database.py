@@ -120,7 +120,9 @@ def backup(path: Path, target: Path) -> None:
     try:
         copy = sqlite3.connect(part)
         try:
-            source.backup(copy, pages=500, sleep=0.01)
+            source.backup(
+                copy, pages=-1
+            )  # in one go: it begins again whenever something is written
         finally:
             copy.close()
     finally:

@@ -2,7 +2,8 @@
 
 Who comes in by a right code or link is never turned away because others came before. When all
 places are taken, the place goes of who needs it least: whose cookie has expired, who never joined a
-room, who stayed less than a minute, who was not seen for longest. Who is in a room keeps it.
+room, who stayed less than a minute, who was not seen for longest. Who is in a room keeps it. With
+the place go the guest's own programs, which nobody else can see.
 """
 
 import json
@@ -10,7 +11,8 @@ import sqlite3
 from collections.abc import Iterable
 from typing import Final, NamedTuple
 
-from vrts.live.store.accounts import GUESTS, LOGIN_S
+from vrts.live.store.accounts import GUESTS, LOGIN_S, Account, enter, lets_in
+from vrts.live.store.programs import own_shelf
 
 BRIEF_S: Final = 60.0  # who stayed less than that has hardly worked
 IDLE_S: Final = 7 * 86_400.0  # who was not seen for longer counts as idle
@@ -22,6 +24,26 @@ class Crowd(NamedTuple):
     guests: int
     unused: int  # never joined a room
     idle: int  # were not seen for a week
+
+
+def come_in(
+    connection: sqlite3.Connection,
+    token: str,
+    name: str,
+    now: float,
+    *,
+    here: Iterable[int],
+    most: int = GUESTS,
+) -> Account | None:
+    """Let somebody in by a link or code, if need be in place of another; None: it is not right.
+
+    Raises:
+        ValueError: The name cannot be shown, or all places are of people who are in rooms.
+    """
+    if not lets_in(connection, token, now):
+        return None  # who is wrong takes nobody's place
+    make_place(connection, here, now, most)
+    return enter(connection, token, name, now)
 
 
 def make_place(
@@ -40,17 +62,25 @@ def make_place(
     ).fetchone()
     if row is None:
         return None
-    connection.execute("DELETE FROM account WHERE id=?", row)
+    _remove(connection, [int(row[0])])
     return int(row[0])
 
 
 def give_up_unused(connection: sqlite3.Connection, accounts: Iterable[int]) -> None:
     """Give up places of guests who never joined a room."""
-    connection.execute(
-        "DELETE FROM account WHERE password IS NULL AND NOT supervisor AND seen=0"
+    rows = connection.execute(
+        "SELECT id FROM account WHERE password IS NULL AND NOT supervisor AND seen=0"
         " AND id IN (SELECT value FROM json_each(?))",
         (json.dumps(sorted(accounts)),),
     )
+    _remove(connection, [row[0] for row in rows])
+
+
+def _remove(connection: sqlite3.Connection, accounts: list[int]) -> None:
+    """Remove guests and their own programs; what they saved in rooms belongs to the rooms."""
+    for account in accounts:
+        connection.execute("DELETE FROM program_version WHERE shelf=?", (own_shelf(account),))
+        connection.execute("DELETE FROM account WHERE id=?", (account,))
 
 
 def unused(connection: sqlite3.Connection) -> list[int]:

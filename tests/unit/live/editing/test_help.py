@@ -14,7 +14,7 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 
 from tests.support_live import PATIENCE, LiveServer
 from tests.unit.live.editing.support import Editor, gone, helpers, link
-from vrts.live.editing.seats import Seats
+from vrts.live.editing.seats import QUIET_S, Seats
 from vrts.live.front.help_socket import MOST_BAD
 
 pytest.importorskip("pygls", reason='needs pip install "vrts[ide]"')
@@ -171,6 +171,31 @@ def test_seats_are_few_and_begun_seldom(tmp_path: Path) -> None:
     seats.stop()
     assert last.taken.is_set()
     assert list(seats.folder.iterdir()) == []
+
+
+def test_who_finds_no_seat_gets_the_one_that_is_quiet_for_longest(tmp_path: Path) -> None:
+    seats = Seats(tmp_path / "editing", most=2)
+    first, second = seats.take(1), seats.take(2)
+    assert first is not None
+    assert second is not None
+    first.heard_s -= QUIET_S
+    second.heard_s -= 2 * QUIET_S
+    assert seats.take(3) is not None
+    assert (first.taken.is_set(), second.taken.is_set()) == (False, True)
+    assert second.wanted
+    seats.give_back(second)
+    assert seats.take(4) is not None
+    assert first.taken.is_set()
+    assert seats.take(5) is None, "nobody is quiet"
+
+
+def test_the_help_ends_with_the_cookie(server: LiveServer) -> None:
+    cookie = server.enter("Leaves")
+    with link(server, cookie) as socket:
+        editor = Editor(socket)
+        assert server.request("POST", "/logout", cookie=cookie).status == 204
+        assert editor.closed() == "login"
+    assert ends(server)
 
 
 @pytest.mark.thorough

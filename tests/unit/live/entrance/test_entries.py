@@ -8,11 +8,21 @@ import pytest
 
 from vrts.live.entrance.entries import HOUR_S, UNUSED, Entries, group
 from vrts.live.entrance.log_ins import FREE, LONGEST_S, LogIns
-from vrts.live.store.accounts import LOGIN_S, add_account, knows
+from vrts.live.store import accounts
+from vrts.live.store.accounts import LOGIN_S, MANY, add_account, add_link, knows
 from vrts.live.store.bars import use_browser
 from vrts.live.store.database import opened
-from vrts.live.store.guests import Crowd, crowd, give_up_unused, make_place, saw, unused
+from vrts.live.store.guests import (
+    Crowd,
+    come_in,
+    crowd,
+    give_up_unused,
+    make_place,
+    saw,
+    unused,
+)
 from vrts.live.store.log import purge
+from vrts.live.store.programs import Version, own_shelf, programs, room_shelf, save
 from vrts.live.tokens import digest
 
 HALL, CAMPUS, HOME = "192.0.2.1", "192.0.2.9", "2001:db8:1:2:3:4:5:6"
@@ -90,6 +100,41 @@ def test_the_place_goes_of_who_needs_it_least(connection: sqlite3.Connection) ->
     assert gone == [expired, never, brief, long_ago, lately, None]
     left = {row[0] for row in connection.execute("SELECT id FROM account")}
     assert left == {teacher, local, here}
+
+
+def test_a_right_code_always_finds_a_place_and_a_wrong_one_takes_none(
+    connection: sqlite3.Connection, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(accounts, "GUESTS", 2)
+    for name in ("Lee", "Kim"):  # who have a password take no places of guests
+        add_account(connection, name, 0.0, password="x")
+    add_link(connection, "right", 100.0, uses=MANY)
+    first = come_in(connection, "right", "One", 1.0, here=(), most=2)
+    second = come_in(connection, "right", "Two", 2.0, here=(), most=2)
+    assert first is not None
+    assert second is not None
+    assert come_in(connection, "wrong", "Eve", 3.0, here=(), most=2) is None
+    assert come_in(connection, "right", "Late", 101.0, here=(), most=2) is None
+    assert unused(connection) == [first.id, second.id]
+    third = come_in(connection, "right", "Three", 4.0, here=(first.id,), most=2)
+    assert third is not None
+    assert unused(connection) == [first.id, third.id]
+
+
+def test_the_programs_that_only_a_guest_sees_go_with_the_place(
+    connection: sqlite3.Connection,
+) -> None:
+    one, two, stays = (guest(connection, name, 1.0) for name in ("One", "Two", "Stays"))
+    for account in (one, two, stays):
+        save(connection, own_shelf(account), Version("own", 0, 1.0, account, "x", 0), "text", 0)
+    room = room_shelf("r")
+    save(connection, room, Version("shared", 0, 1.0, one, "One", 0), "text", 0)
+    saw(connection, stays, 2.0, 500.0)
+    give_up_unused(connection, [one, stays])
+    assert make_place(connection, (), 2.0, most=0) == two
+    kept = [len(programs(connection, own_shelf(account))) for account in (one, two, stays)]
+    assert kept == [0, 0, 1]
+    assert [version.saver for version in programs(connection, room)] == ["One"]
 
 
 def test_only_who_never_joined_is_given_up_with_a_flood(connection: sqlite3.Connection) -> None:

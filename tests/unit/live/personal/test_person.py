@@ -9,6 +9,7 @@ import pytest
 from click.testing import CliRunner
 
 from vrts.cli.main import vrts
+from vrts.live.notices.announcement import Announcement
 from vrts.live.personal.names import GONE, Names
 from vrts.live.personal.purging import Forgotten, purge
 from vrts.live.places import places_of
@@ -54,6 +55,10 @@ class Folder:
 
     def wrong(self) -> list[str]:
         return [one.text for one in findings(self.place / DATABASE, self.key) if one.wrong]
+
+
+def announced(hub: Hub) -> str:
+    return "" if hub.announcement is None else hub.announcement.text
 
 
 def _filled(connection: Connection) -> tuple[int, int]:
@@ -122,8 +127,14 @@ def test_rooms_that_run_forget_what_was_said(folder: Folder) -> None:
         await open_kept(hub)
         await forget_purged(hub)
         assert ANNA in hub.rooms["b"].kept.name
+        told = Announcement(1, 0.0, ANNA, WORD, folder.anna)
+        hub.announcement = Announcement(2, 0.0, "Ben", "stays", folder.ben)
         purge(folder.place, ANNA, folder.key)
         await forget_purged(hub)
+        assert announced(hub) == "stays"
+        hub.announcement, hub.purges = told, 0
+        await forget_purged(hub)
+        assert announced(hub) == ""
         found = [
             (room.kept.name, [said.text for said, _ in room.chat]) for room in hub.rooms.values()
         ]

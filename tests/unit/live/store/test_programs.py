@@ -6,8 +6,10 @@ from pathlib import Path
 
 import pytest
 
-from vrts.live.store import programs
+from vrts.live.store import program_limits, programs
+from vrts.live.store.accounts import add_account
 from vrts.live.store.database import opened
+from vrts.live.store.program_limits import COUNT_S, GuestsTogether, room_takes
 from vrts.live.store.programs import Outcome, Version, own_shelf, room_shelf
 
 ANNA, BEN = 7, 8
@@ -118,3 +120,36 @@ def test_a_program_is_forgotten(database: sqlite3.Connection) -> None:
     programs.remove(database, ROOM, "pick")
     assert programs.programs(database, ROOM) == []
     assert not programs.versions(database, ROOM, "pick")
+
+
+def test_the_shelf_of_a_room_takes_only_so_much(
+    database: sqlite3.Connection, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(program_limits, "MOST_PROGRAMS", 2)
+    monkeypatch.setattr(program_limits, "MOST_OF_A_ROOM", 100)
+    assert room_takes(database, "r1", "a", 100)
+    assert not room_takes(database, "r1", "a", 101)
+    for name in "ab":
+        assert saved(database, "x" * 40, 0, name=name).saved
+    assert room_takes(database, "r1", "a", 20)
+    assert not room_takes(database, "r1", "a", 21)
+    assert not room_takes(database, "r1", "c", 1), "there are two programs"
+    assert room_takes(database, "r2", "c", 100), "another room"
+
+
+def test_all_guests_together_keep_only_so_much(
+    database: sqlite3.Connection, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(program_limits, "MOST_OF_GUESTS", 100)
+    local = add_account(database, "Local", 0.0, password="x").id
+    one, two = (add_account(database, name, 0.0).id for name in ("One", "Two"))
+    for account, length in ((local, 500), (one, 60)):
+        version = Version("own", 0, 0.0, account, "x", 0)
+        programs.save(database, own_shelf(account), version, "x" * length, 0)
+    together = GuestsTogether()
+    assert together.take(database, two, 40, 0.0)
+    assert not together.take(database, two, 1, 1.0), "whether it was kept is not looked at yet"
+    assert together.take(database, local, 1000, 1.0), "who has a password is no guest"
+    assert together.take(database, two, 40, COUNT_S)
+    database.execute("DELETE FROM account WHERE id=?", (one,))
+    assert not together.take(database, two, 41, 2 * COUNT_S), "what is there counts, gone or not"

@@ -285,3 +285,27 @@ def test_a_backup_while_writing_is_whole(tmp_path: Path) -> None:
     (count,) = copy.execute("SELECT count(*) FROM log").fetchone()
     copy.close()
     assert 100 < count <= 500
+
+
+def test_a_backup_ends_though_another_program_never_stops_writing(tmp_path: Path) -> None:
+    path, ends = tmp_path / "live.sqlite", threading.Event()
+    connection = opened(path)
+    for number in range(1000):  # more than are copied in no time
+        connection.execute("INSERT INTO counter VALUES (?, 1)", (f"{number:03000}",))
+
+    def write() -> None:
+        while not ends.is_set():
+            connection.execute("UPDATE counter SET value=value+1 WHERE name LIKE '%7'")
+
+    writer = threading.Thread(target=write)
+    copier = threading.Thread(target=backup, args=(path, tmp_path / "copy"), daemon=True)
+    writer.start()
+    copier.start()
+    copier.join(10.0)
+    ends.set()
+    writer.join()
+    connection.close()
+    assert not copier.is_alive()
+    copy = opened(tmp_path / "copy")
+    assert copy.execute("SELECT count(*) FROM counter").fetchone() == (1000,)
+    copy.close()

@@ -69,6 +69,23 @@ def test_a_port_that_changes_is_no_service() -> None:
     assert "needs a port that stays" in said.stderr
 
 
+def test_a_key_of_a_service_has_a_folder_of_its_own(tmp_path: Path) -> None:
+    own, shared = tmp_path / "own", tmp_path / "shared"
+    for folder in (own, shared):
+        folder.mkdir()
+        for name in ("log-key", "log-key.0123.seen"):
+            (folder / name).write_text("")
+    (shared / "passwd").write_text("")
+    for key in (own / "log-key", tmp_path / "new" / "log-key"):
+        said = values(printed("cans-on-bases", "--folder", "/srv/live", "--log-key", str(key)))
+        assert said["ReadWritePaths"] == ["/srv/live", str(key.parent)]
+    for key, folder in ((shared / "log-key", "/srv/live"), (own / "log-key", str(own / "live"))):
+        words = ["serve", "cans-on-bases", "--folder", folder, "--log-key", str(key), "--service"]
+        refused = CliRunner().invoke(vrts, words)
+        assert refused.exit_code == 2
+        assert f"needs a folder for its key alone, and `{key.parent}` holds more" in refused.stderr
+
+
 def test_characters_of_systemd_mean_nothing() -> None:
     said = unit(Service(("/x/vrts", "serve", "100% $HOME", 'a"b;c\\'), (Path("/srv/a b"),), (), 80))
     (command,) = values(said)["ExecStart"]

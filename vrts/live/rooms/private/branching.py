@@ -46,7 +46,8 @@ async def branch(hub: Hub, sessions: Sessions, member: Member, at_s: float) -> R
         most = hub.settings.private_rooms
         text = f"there are {most} private rooms already" if most else "there are no private rooms"
         raise NotObeyed("limit", text, "try again later" if most else "")
-    name = f"{origin.kept.name} from {_clock(at_s)}, {account.name}"[:LONGEST_NAME]
+    end = f" from {_clock(at_s)}, {account.name}"  # whole: a purge has to find the name
+    name = (origin.kept.name[: max(LONGEST_NAME - len(end), 0)] + end).strip()
     place = max(room.kept.place for room in hub.rooms.values()) + 1
     kept = KeptRoom(new_id(), name, origin.kept.scene, place, *origin.kept[4:])
     made = Branch(kept.id, account.id, origin.id, min(at_s, reached.time_s))
