@@ -174,15 +174,10 @@ def command(
                 check_logs(folder, log_key, accept=accept_logs, verify=verify_logs)
         return
     if ways_in or renew_code or end_way or supervisor_link:
-        from vrts.live.settings import DATABASE
-        from vrts.live.store.unusable import in_one_sentence, require_ours
-
-        with in_one_sentence(folder / DATABASE):
-            require_ours(folder / DATABASE)
-            change_ways_in(
-                folder,
-                Change(renew=renew_code, end=end_way or "", away=send_away, link=supervisor_link),
-            )
+        change_ways_in(
+            folder,
+            Change(renew=renew_code, end=end_way or "", away=send_away, link=supervisor_link),
+        )
         return
     if send_away:
         fail("`--send-away` goes with `--renew-code` or `--end-way`")

@@ -1,12 +1,14 @@
 """What `vrts serve` does to a folder's ways in from the command line, and ends."""
 
-import sqlite3
 from collections.abc import Iterator
 from pathlib import Path
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from vrts.cli.shared.console import WRONG, fail, out, say
 from vrts.live.lasting.clock import wall
+
+if TYPE_CHECKING:
+    from vrts.live.store.database import Connection
 
 
 class Change(NamedTuple):
@@ -22,34 +24,44 @@ def change_ways_in(folder: Path, change: Change) -> None:
     """Do all that is wanted or nothing of it, or list the ways in.
 
     Raises:
-        sqlite3.Error: The database does not take it.
+        CannotRead: The database is of no use, or does not take it.
     """
-    from vrts.live.entrance.by_hand import code_or_as_before
     from vrts.live.settings import DATABASE
     from vrts.live.store.database import opened
+    from vrts.live.store.unusable import in_one_sentence, require_ours
 
-    if not (folder / DATABASE).is_file():
+    path = folder / DATABASE
+    if not path.is_file():
         fail(f"there is no server's database in `{folder}`")
-    connection = opened(folder / DATABASE)
-    try:
-        if not (change.end or change.renew or change.link):
-            _list(folder, connection)
-            return
-        with code_or_as_before(folder):
-            connection.execute("BEGIN IMMEDIATE")
-            told = list(_changed(folder, connection, change))
-            connection.execute("COMMIT")
-    finally:
-        if connection.in_transaction:
-            connection.execute("ROLLBACK")
-        connection.close()
+    with in_one_sentence(path):
+        require_ours(path)
+        connection = opened(path)
+        try:
+            if change.end or change.renew or change.link:
+                _change(folder, connection, change)
+            else:
+                _list(folder, connection)
+        finally:
+            if connection.in_transaction:
+                connection.execute("ROLLBACK")
+            connection.close()
+
+
+def _change(folder: Path, connection: "Connection", change: Change) -> None:
+    """Do what is wanted in one transaction, and tell of it when it is done."""
+    from vrts.live.entrance.by_hand import code_or_as_before
+
+    with code_or_as_before(folder):
+        connection.execute("BEGIN IMMEDIATE")
+        told = list(_changed(folder, connection, change))
+        connection.execute("COMMIT")
     if change.end:
         say(f"`{change.end}` lets nobody in any more")
     for line in told:
         out(line)
 
 
-def _changed(folder: Path, connection: sqlite3.Connection, change: Change) -> Iterator[str]:
+def _changed(folder: Path, connection: "Connection", change: Change) -> Iterator[str]:
     """Do what is wanted, and yield what to tell of it."""
     from vrts.live.entrance import by_hand
     from vrts.live.tokens import grouped
@@ -65,7 +77,7 @@ def _changed(folder: Path, connection: sqlite3.Connection, change: Change) -> It
         yield f"supervisor, once, after the server's address: /#enter={token}"
 
 
-def _list(folder: Path, connection: sqlite3.Connection) -> None:
+def _list(folder: Path, connection: "Connection") -> None:
     from vrts.live.entrance import by_hand
     from vrts.live.entrance.class_code import kept_code
     from vrts.live.store.links import links

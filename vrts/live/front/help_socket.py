@@ -21,7 +21,7 @@ MOST_ASKED: Final = 16  # questions that wait for their answers
 MOST_BAD: Final = 20  # messages that mean nothing, after which a connection ends
 PATIENCE_S: Final = 20.0  # for an answer
 IDLE_S: Final = 900.0  # without a message, after which the help ends; it comes back when asked
-LOOK_S: Final = 1.0  # how often that is looked at, and whether the cookie still holds
+LOOK_S: Final = 0.5  # how often that is looked at, and whether the cookie still holds
 SEND_S: Final = 20.0  # until a browser must have taken a message
 
 ELSEWHERE: Final = ("elsewhere", "your editor is open in another tab, where the help is now")

@@ -189,6 +189,7 @@ def test_who_finds_no_seat_gets_the_one_that_is_quiet_for_longest(tmp_path: Path
     assert seats.take(5) is None, "nobody is quiet"
 
 
+@pytest.mark.thorough
 def test_the_help_ends_with_the_cookie(server: LiveServer) -> None:
     cookie = server.enter("Leaves")
     with link(server, cookie) as socket:
