@@ -25,8 +25,14 @@ from vrts.live.rooms.hub import Hub
 from vrts.live.store import programs
 from vrts.live.store.accounts import Account
 from vrts.live.store.database import Connection
-from vrts.live.store.program_limits import GuestsTogether, room_takes
-from vrts.live.store.programs import Outcome, Version, own_shelf, room_shelf
+from vrts.live.store.programs import (
+    GuestsTogether,
+    Outcome,
+    Version,
+    own_shelf,
+    room_shelf,
+    room_takes,
+)
 
 LONGEST_BODY: Final = 1_300_000  # bytes: 200,000 characters, escaped
 RATE: Final = (0.5, 20.0)  # requests of a person that write, a second and at once

@@ -6,11 +6,18 @@ from pathlib import Path
 
 import pytest
 
-from vrts.live.store import program_limits, programs
+from vrts.live.store import programs
 from vrts.live.store.accounts import add_account
 from vrts.live.store.database import opened
-from vrts.live.store.program_limits import COUNT_S, GuestsTogether, room_takes
-from vrts.live.store.programs import Outcome, Version, own_shelf, room_shelf
+from vrts.live.store.programs import (
+    COUNT_S,
+    GuestsTogether,
+    Outcome,
+    Version,
+    own_shelf,
+    room_shelf,
+    room_takes,
+)
 
 ANNA, BEN = 7, 8
 ROOM = room_shelf("r1")
@@ -125,8 +132,8 @@ def test_a_program_is_forgotten(database: sqlite3.Connection) -> None:
 def test_the_shelf_of_a_room_takes_only_so_much(
     database: sqlite3.Connection, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(program_limits, "MOST_PROGRAMS", 2)
-    monkeypatch.setattr(program_limits, "MOST_OF_A_ROOM", 100)
+    monkeypatch.setattr(programs, "MOST_OF_A_SHELF", 2)
+    monkeypatch.setattr(programs, "MOST_OF_A_ROOM", 100)
     assert room_takes(database, "r1", "a", 100)
     assert not room_takes(database, "r1", "a", 101)
     for name in "ab":
@@ -140,7 +147,7 @@ def test_the_shelf_of_a_room_takes_only_so_much(
 def test_all_guests_together_keep_only_so_much(
     database: sqlite3.Connection, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(program_limits, "MOST_OF_GUESTS", 100)
+    monkeypatch.setattr(programs, "MOST_OF_GUESTS", 100)
     local = add_account(database, "Local", 0.0, password="x").id
     one, two = (add_account(database, name, 0.0).id for name in ("One", "Two"))
     for account, length in ((local, 500), (one, 60)):
