@@ -147,6 +147,30 @@ def test_a_drag_is_fine_and_goes_by_steps_and_says_how_far(view: Opened) -> None
     assert up[2] >= 10, "the height can be dragged from above, too"
 
 
+def test_shift_makes_the_rest_of_a_drag_fine_and_keeps_how_far_it_went(view: Opened) -> None:
+    put(view, ABOVE)
+    view.page.evaluate("() => { t.viewer.look('overview'); t.viewer.zoom(1.42); }")
+    at: Any = view.page.evaluate(
+        "() => { const d = t.pointer.drag; return d.onPage(d.handles()[0][1]); }"
+    )
+    before, mouse = point(view), view.page.mouse
+    mouse.move(at["x"], at["y"])
+    mouse.down()
+    mouse.move(at["x"] + 40, at["y"])
+    coarse = point(view)
+    went = 1000.0 * math.dist(before, coarse)
+    assert went >= 10
+    view.page.keyboard.down("Shift")
+    mouse.move(at["x"] + 41, at["y"])
+    assert 1000.0 * math.dist(coarse, point(view)) <= 2, "it does not jump back"
+    mouse.move(at["x"] + 70, at["y"])
+    assert 1 <= 1000.0 * math.dist(coarse, point(view)) <= 8
+    shown = view.page.inner_text(".drag-note")
+    assert shown.startswith(f"{1000.0 * math.dist(before, point(view)):.1f} mm")
+    mouse.up()
+    view.page.keyboard.up("Shift")
+
+
 def _headward(view: Opened) -> list[float]:
     """Return 30 px in the direction in which the handle for the height stands."""
     return view.page.evaluate(

@@ -111,6 +111,8 @@ def test_parts_fold_by_button_and_by_key(anna: Desk) -> None:
     assert width(anna, "desk") == 0
     assert page.get_attribute("#fold-desk", "aria-expanded") == "false"
     assert page.get_attribute("#desk-border", "aria-valuetext") == "folded"
+    page.click("#desk-border")
+    assert width(anna, "desk") == 0, "a click alone moves nothing"
     page.keyboard.press("Alt+t")
     assert height(anna, "terminal-place") == 0
     again(anna)

@@ -278,3 +278,25 @@ def test_a_supervisor_mutes_broadcasts_reads_logs_and_sends_away(
     viewer.until(SHOWN)
     assert lead.complaints() == []
     lead.context.close()
+
+
+HEARD = """Promise.all(['intake', 'store'].map((name) => import(`/web/live/${name}.js`)))
+.then(([{ Intake }, { Store }]) => {
+  let jumps = 0;
+  const store = new Store();
+  const heard = { refused() {}, jumped: () => { jumps += 1; }, now: () => 9 };
+  const intake = new Intake(store, { reset() {}, add() {} }, heard);
+  const at = (time_s) => ({ status: { time_s }, bodies: [], programs: ['wave'], output: 'hello' });
+  const came = (id, session, state) => {
+    const room = { room: { id }, rooms: [], scenes: [], notes: [], chat: [] };
+    intake.take({ type: 'snapshot', ...room, session, scene_url: '', state });
+    return jumps;
+  };
+  const states = [['a', 1, at(10)], ['a', 1, at(10)], ['a', 1, at(5)], ['b', 1, at(10)]];
+  const seen = [...states, ['c', 1, null]].map((one) => came(...one));
+  return [...seen, store.now.output, store.now.programs.length];
+})"""
+
+
+def test_a_past_undone_and_what_another_room_showed_are_forgotten(viewer: Desk) -> None:
+    assert viewer.value(HEARD) == [1, 1, 2, 3, 4, "", 0]

@@ -66,7 +66,7 @@ def test_another_code_is_on_the_wall_at_once_and_a_link_ends(
 
     ben = server.join(server.enter("Ben"))
     ben.wait("control")
-    boss.page.get_by_text("Look again").click()
+    boss.page.get_by_role("button", name="Refresh").click()
     press(boss, f"End and send away: Class code {after}")
     closed = ben.closed()
     assert closed is not None

@@ -67,23 +67,31 @@ Examples:
     type=click.IntRange(0, 64),
     default=8,
     show_default=True,
-    help="Most rooms that people have for themselves.",
+    help="How many private rooms there may be at once.",
 )
 @click.option("--students-reset", is_flag=True, help="Operators may reset and rewind.")
 @click.option("--add-user", metavar="NAME", help="Add an account, ask for its password, and end.")
 @click.option("--supervisor", is_flag=True, help="The added account may supervise.")
 @click.option("--purge-user", metavar="NAME", help="Forget a user everywhere, and end.")
-@click.option("--purge-mentions", is_flag=True, help="Forget texts of others with that name too.")
+@click.option(
+    "--purge-mentions",
+    is_flag=True,
+    help="With --purge-user: also forget others' texts that hold the name.",
+)
 @click.option("--export-user", metavar="NAME", help="Pack all that is kept of a user, and end.")
 @file_option("-o", "--output", help="Zip for `--export-user`; without it NAME.zip.")
-@click.option("--verify-logs", is_flag=True, help="Check all logs and their signs, and end.")
+@click.option("--verify-logs", is_flag=True, help="Check all logs and their signatures, and end.")
 @click.option("--accept-logs", is_flag=True, help="Sign the logs as they are, and end.")
 @file_option("--log-key", help="File with the key that signs the logs, outside of the folder.")
 @file_option("--backup", help="Copy the database, and end.")
 @click.option("--ways-in", is_flag=True, help="List the class code and all links, and end.")
-@click.option("--renew-code", is_flag=True, help="Have another class code, and end.")
+@click.option("--renew-code", is_flag=True, help="Replace the class code, and end.")
 @click.option("--end-way", metavar="ID", help="End a link or the class code, and end.")
-@click.option("--send-away", is_flag=True, help="Send away who came in by it, too.")
+@click.option(
+    "--send-away",
+    is_flag=True,
+    help="With --renew-code or --end-way: also send away all who came in by it.",
+)
 @click.option("--supervisor-link", is_flag=True, help="Print a supervisor's link, once, and end.")
 @click.option("--service", is_flag=True, help="Print a unit for systemd that runs this, and end.")
 @guarded
@@ -151,8 +159,8 @@ def command(
     `--tls-cert` and `--tls-key`, or put a proxy in front of it and start it with `--behind-proxy
     --name lab.example.org`. `vrts manual browser` shows the lines that nginx and Caddy need.
 
-    To leave it running, `--service` prints a unit for systemd with the same options. Whether it is
-    well is told at `/health`, and a supervisor with an account sees more at `/admin`.
+    To leave it running, `--service` prints a unit for systemd with the same options. `/health`
+    tells whether it is well, and a supervisor with an account sees more at `/admin`.
     """
     if purge_mentions and not purge_user:
         fail("`--purge-mentions` goes with `--purge-user`")

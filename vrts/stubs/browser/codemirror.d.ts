@@ -47,13 +47,6 @@ export class StateField<Value> {
 
 interface Range {}
 
-export class RangeSet {
-  static empty: RangeSet;
-  map(changes: ChangeSet): RangeSet;
-  update(spec: { add?: Range[]; filter?: (from: number) => boolean }): RangeSet;
-  between(from: number, to: number, found: (from: number) => void): void;
-}
-
 interface Facet<Value> {
   of(value: Value): Extension;
   from(field: StateField<any>): Extension;
@@ -97,17 +90,12 @@ export class EditorView {
   static scrollIntoView(at: number, options: { y: string; yMargin: number }): StateEffect<any>;
 }
 
-export class Decoration extends RangeSet {
+export class Decoration {
   static none: Decoration;
   static line(spec: { class: string; attributes: Record<string, string> }): Decoration;
   static set(ranges: Range[]): Decoration;
   range(from: number): Range;
   map(changes: ChangeSet): Decoration;
-}
-
-export class GutterMarker {
-  toDOM(): Node;
-  range(from: number): Range;
 }
 
 export const ViewPlugin: { fromClass(plugin: new (view: EditorView) => object): Extension };
@@ -116,12 +104,6 @@ export const showTooltip: Facet<object | null>;
 export const closeHoverTooltips: StateEffect<null>;
 export function activateHover(view: EditorView, at: number, side: number, options: { until: (update: any) => boolean }): void;
 export function drawSelection(): Extension;
-export function gutter(spec: {
-  class: string;
-  markers: (view: EditorView) => RangeSet;
-  initialSpacer: () => GutterMarker;
-  domEventHandlers: { mousedown: (view: EditorView, line: { from: number }) => boolean };
-}): Extension;
 export function highlightActiveLine(): Extension;
 export function highlightActiveLineGutter(): Extension;
 export function highlightSpecialChars(): Extension;

@@ -103,6 +103,7 @@ export class Goals {
     const look = { color: colorOf(this.viewer, from), dashSize: 0.025, gapSize: 0.018, transparent: true, opacity: 0.9, depthTest: false };
     const line = new Line(geometry, new LineDashedMaterial(look));
     line.renderOrder = 12;
+    line.frustumCulled = false; // its ends move
     this.group.add(line);
     this.ties.push({ from, to, line });
   }
@@ -142,6 +143,12 @@ export class Goals {
 
   dispose() {
     this.group.removeFromParent();
+    this.group.traverse((part) => {
+      if (part instanceof Mesh || part instanceof Line) {
+        part.geometry.dispose();
+        part.material.dispose();
+      }
+    });
     this.viewer.requestDraw();
   }
 }

@@ -30,13 +30,15 @@ export class Intake {
         store.set({ you: message.you, name: message.name, supervisor: message.supervisor });
         if (!message.resumed) store.set({ chat: [] });
         break;
-      case "snapshot":
+      case "snapshot": {
+        const other = store.now.room !== null && message.room.id !== store.now.room.id;
         store.set({ room: message.room, rooms: message.rooms, scenes: message.scenes, noSession: null });
         store.set({ notes: message.notes });
         if (message.chat.length) store.set({ chat: message.chat });
-        this.state(message);
+        this.state(message, other);
         break;
-      case "state": this.state(message); break;
+      }
+      case "state": this.state(message, false); break;
       case "no_session": store.set({ noSession: /** @type {any} */ (message) }); break;
       case "people": store.set({ people: message.people, barred: message.barred, muted: message.muted }); break;
       case "control": store.set({ control: /** @type {any} */ (message) }); break;
@@ -59,11 +61,13 @@ export class Intake {
     this.store.set({ rooms: message.rooms, projector: message.projector, room: own ?? this.store.now.room });
   }
 
-  /** Everything about the session, whole. @param {Message} message */
-  state(message) {
+  /** Everything about the session, whole. @param {Message} message @param {boolean} other whether it is another room's than before */
+  state(message, other) {
     const { state } = message;
-    if (message.session !== this.store.now.session) this.heard.jumped();
+    // a rewind goes back in the same session, and who was away has not heard of it
+    if (other || message.session !== this.store.now.session || (state && state.status.time_s < this.heard.now())) this.heard.jumped();
     if (!state) {
+      if (other) this.store.set({ programs: [], places: [], contacts: [], near: [], events: [], output: "", task: null });
       this.store.set({ session: message.session ?? FIRST, sceneUrl: message.scene_url, alive: false, status: null, marked: null });
       return;
     }

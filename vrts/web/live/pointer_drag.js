@@ -40,7 +40,7 @@ export class PointerDrag {
     this.tell = tell;
     this.screen = figure.screen;
     this.ray = new Raycaster();
-    /** @type {{id: number, handle: Handle, from: Place, angle: number | null, pose: PointerPose, seen: Seen} | null} */
+    /** @type {{id: number, handle: Handle, from: Place, last: Place, angle: number | null, pose: PointerPose, start: PointerPose, fine: boolean, seen: Seen} | null} */
     this.drag = null;
     this.stop = new AbortController();
     const on = { capture: true, signal: this.stop.signal };
@@ -66,9 +66,15 @@ export class PointerDrag {
     event.stopImmediatePropagation();
     event.preventDefault();
     this.canvas.setPointerCapture(event.pointerId);
-    const from = { x: event.clientX, y: event.clientY };
-    this.drag = { id: event.pointerId, handle, from, angle: handle === "turn" ? this.angle(pose) : null, pose, seen: this.seen(handle, pose) };
+    this.begin(event, { x: event.clientX, y: event.clientY }, handle, pose);
     this.grab(handle);
+  }
+
+  /** Count from a place on. @param {PointerEvent} event @param {Place} from where the ray was pointed last @param {Handle} handle @param {PointerPose} start when it was grabbed */
+  begin(event, from, handle, start) {
+    const { pose } = this.now();
+    const angle = handle === "turn" ? this.angle(pose) : null;
+    this.drag = { id: event.pointerId, handle, from, last: from, angle, pose, start, fine: event.shiftKey, seen: this.seen(handle, pose) };
   }
 
   /** @param {PointerEvent} event */
@@ -82,12 +88,14 @@ export class PointerDrag {
     }
     if (event.pointerId !== this.drag.id) return;
     event.stopImmediatePropagation();
+    const { handle, start, fine, last } = this.drag;
+    if (event.shiftKey !== fine) this.begin(event, last, handle, start); // how far it has gone stays
     this.aim(event);
-    const { handle, pose } = this.drag;
+    this.drag.last = { x: event.clientX, y: event.clientY };
     const by = { x: event.clientX - this.drag.from.x, y: event.clientY - this.drag.from.y };
     const next = handle === "turn" ? this.turn(by, event.shiftKey) : this.pull(by, event.shiftKey);
     this.change(next);
-    this.tell(told(handle, pose, next), { x: event.clientX, y: event.clientY });
+    this.tell(told(handle, start, next), { x: event.clientX, y: event.clientY });
   }
 
   /** @param {PointerEvent} event */

@@ -66,6 +66,12 @@ export function mountSelection(world) {
   let drawn = null;
   const draw = () => {
     drawn?.removeFromParent();
+    drawn?.traverse((part) => {
+      if (part instanceof LineSegments) {
+        part.geometry.dispose();
+        part.material.dispose();
+      }
+    });
     drawn = null;
     const viewer = world.viewer;
     const figure = viewer?.bodies.get(name);

@@ -40,6 +40,11 @@ export class Signs {
       return { name, element, width: 0, height: 0, left: 0, top: 0 };
     });
     this.box.replaceChildren(...this.tags.map(({ element }) => element));
+    this.measure();
+  }
+
+  /** See how large the names are: hidden ones have no size. */
+  measure() {
     for (const tag of this.tags) [tag.width, tag.height] = [tag.element.offsetWidth, tag.element.offsetHeight];
     this.key = "";
   }
@@ -48,7 +53,7 @@ export class Signs {
   show(on) {
     this.shown = on;
     this.box.hidden = !on;
-    this.key = "";
+    this.measure();
   }
 
   /** Write the names where their things are now. */

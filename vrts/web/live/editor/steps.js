@@ -1,4 +1,4 @@
-// Lines of a text as steps of its programs, and back.
+// Programs of a text, and steps as lines of it.
 
 const HEADER = /^[ \t]*\.PROGRAM[ \t]+([A-Za-z][\w.]*)/i;
 const SECTION = /^[ \t]*\.(?:PROGRAM|END|LOCATIONS|REALS|STRINGS|DOUBLES|TRANS|JOINTS)\b/i;
@@ -37,10 +37,4 @@ export function lineOf(lines, program, step) {
     if (at === step) return number;
   }
   return 0;
-}
-
-/** Return a line as a step of its program; null where it is none. @param {string[]} lines @param {number} line from 1 */
-export function stepOf(lines, line) {
-  const place = programsIn(lines).find(({ first, last }) => first < line && line < last);
-  return place ? { program: place.name, step: line - place.first, line } : null;
 }

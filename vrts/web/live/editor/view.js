@@ -1,4 +1,4 @@
-// The editor itself: CodeMirror with the language, the help, breakpoints and the line at work.
+// The editor itself: CodeMirror with the language, the help and the line at work.
 //
 // It lies in a shadow root of its own: there its styles are constructed style sheets, for which the
 // content security policy of the page needs no exception.
@@ -11,7 +11,6 @@ import { highlightSelectionMatches, searchKeymap } from "@codemirror/search";
 import { EditorState, Prec } from "@codemirror/state";
 import { EditorView, drawSelection, highlightActiveLine, highlightActiveLineGutter, highlightSpecialChars, keymap, lineNumbers } from "@codemirror/view";
 import { atWork } from "./at_work.js";
-import { breakpoints, toggleBreakpoint } from "./breakpoints.js";
 import { closeExplained, explain, hover } from "./hover.js";
 import { language } from "./language.js";
 import { closeSignature, signature } from "./signature.js";
@@ -55,7 +54,7 @@ function typedOver(event, view) {
 export function makeView(host, help, told) {
   const root = host.attachShadow({ mode: "open" });
   const extensions = [
-    lineNumbers(), breakpoints, lintGutter(), history(), drawSelection(), highlightSpecialChars(), highlightActiveLine(),
+    lineNumbers(), lintGutter(), history(), drawSelection(), highlightSpecialChars(), highlightActiveLine(),
     highlightActiveLineGutter(), bracketMatching(), closeBrackets(), highlightSelectionMatches(), indentUnit.of("  "),
     language, completion(help), hover(help), signature(help), atWork, theme,
     EditorView.domEventHandlers({ beforeinput: typedOver }),
@@ -69,7 +68,6 @@ export function makeView(host, help, told) {
       { key: "Mod-Enter", run: () => { told.run(); return true; } },
       { key: "Shift-Alt-f", run: () => { told.layOut(); return true; } },
       { key: "F1", run: explain },
-      { key: "F9", run: toggleBreakpoint },
       { key: "Mod-.", run: fixHere },
     ])),
     keymap.of([...closeBracketsKeymap, ...completionKeymap, ...lintKeymap, ...searchKeymap, ...historyKeymap, ...defaultKeymap,

@@ -1,25 +1,25 @@
 // The workbench: what is open, saving and its versions, loading and running, around the editor.
 
+import { COMMANDING, whyNoCommand } from "../allowed.js";
 import { byId, button, make, write } from "../dom.js";
 import { LONGEST_PROGRAM } from "../protocol.js";
 import { light } from "./at_work.js";
 import { asked } from "./asking.js";
-import { brokenLines } from "./breakpoints.js";
 import { mark } from "./diagnostics.js";
 import { keepDraft, keptDraft } from "./draft.js";
-import { editor } from "./editor.js";
 import { Help } from "./help.js";
 import { changes } from "./places.js";
 import { Shelves } from "./shelf.js";
-import { lineOf, programsIn, stepOf } from "./steps.js";
+import { lineOf, programsIn } from "./steps.js";
 import { chosenVersion, when, who } from "./versions.js";
 import { makeView } from "./view.js";
 
 const NEW = ".PROGRAM main\n  \n.END\n";
 const KEYS = [
   ["Escape, then Tab", "leave the editor"], ["Ctrl+S", "save"], ["Ctrl+Enter", "load and run"], ["Ctrl+Space", "what may stand here"],
-  ["F1", "what this word is"], ["F8", "next mistake"], ["Ctrl+.", "mend it"], ["F9", "breakpoint"], ["Shift+Alt+F", "lay out"], ["Ctrl+F", "find"],
+  ["F1", "what this word is"], ["F8", "next mistake"], ["Ctrl+.", "mend it"], ["Shift+Alt+F", "lay out"], ["Ctrl+F", "find"],
 ];
+const MOST_REMARKS = 3; // lines of the monitor that are said here, too
 const BUSY = ["running", "waiting"];
 
 /** @typedef {{shelf: import("./shelf.js").Shelf, name: string, seen: number}} Opened `seen`: version that one knows of; 0: none */
@@ -32,6 +32,7 @@ export function openWorkbench({ store, command, act, toasts }, panel) {
   /** @type {Opened} */
   let opened = { shelf: "own", name: "", seen: 0 };
   let saved = NEW; // text as it is kept, or as it was begun
+  let along = new Set([""]); // ids of the rooms through which the text has come along
   let mistakes = 0;
 
   const pick = make("select", { class: "open", "aria-label": "Open a program", change: () => void picked() });
@@ -79,12 +80,7 @@ export function openWorkbench({ store, command, act, toasts }, panel) {
   });
   /** @type {import("@codemirror/view").EditorView} */
   const view = makeView(host, help, { changed, save: () => void keep(), run: () => void toRobot(true), layOut: () => void layOut() });
-  editor.show = (line) => {
-    lit = line;
-    light(view, line);
-    follow();
-  };
-  Object.assign(window, { editing: { view, help, editor } }); // for tests and for the curious
+  Object.assign(window, { editing: { view, help } }); // for tests and for the curious
 
   // --- the text -------------------------------------------------------------------------------
 
@@ -108,22 +104,22 @@ export function openWorkbench({ store, command, act, toasts }, panel) {
 
   /** @param {any} update */
   function changed(update) {
-    if (!update.docChanged && !update.transactions.some((/** @type {any} */ one) => one.effects.length)) return;
-    if (update.docChanged) {
-      help.change();
-      told();
-      keepDraft(store.now.room?.id ?? "", { text: text(), saved, opened });
-    }
-    const all = lines();
-    const places = brokenLines(view.state).map((line) => stepOf(all, line) ?? { program: "", step: 0, line });
-    if (JSON.stringify(places) !== JSON.stringify(editor.places)) editor.broken(places);
+    if (!update.docChanged) return;
+    help.change();
+    told();
+    remember();
+  }
+
+  /** Have the browser keep what is in the editor, for each room where it would be looked for. */
+  function remember() {
+    for (const one of along) keepDraft(one, { text: text(), saved, opened });
   }
 
   async function layOut() {
     const { doc } = view.state;
     const edits = await help.ask("formatting", {});
     if (edits?.length && view.state.doc === doc) view.dispatch({ changes: changes(doc, edits), userEvent: "input.format" });
-    else if (!edits) toasts.warn("it cannot be laid out now");
+    else if (!edits) toasts.warn("The help is off, so the text stays as it is.");
     view.focus();
   }
 
@@ -177,7 +173,7 @@ export function openWorkbench({ store, command, act, toasts }, panel) {
   async function mayLeave() {
     if (text() === saved) return true;
     const answer = await asked("Your changes are not saved", [make("p", { text: `Save ${opened.name || "the program"} first?` })],
-      [["save", "Save"], ["leave", "Leave them"], ["", "Go on writing"]]);
+      [["save", "Save"], ["leave", "Discard changes"], ["", "Keep writing"]]);
     if (answer === "save") return keep();
     return answer === "leave";
   }
@@ -209,7 +205,7 @@ export function openWorkbench({ store, command, act, toasts }, panel) {
       toasts.warn(/** @type {Error} */ (error).message);
       return false;
     }
-    keepDraft(store.now.room?.id ?? "", { text: words, saved, opened });
+    remember();
     told();
     await list();
     return true;
@@ -220,7 +216,7 @@ export function openWorkbench({ store, command, act, toasts }, panel) {
     const theirs = make("pre", { class: "preview", tabindex: "0", "aria-label": "That version", text: await shelves.text(where, called, version.number).catch(() => "") });
     const words = `${version.mine ? "You saved" : `${who(version)} saved`} version ${version.number} of ${called} at ${when(version.at)}, which you have not seen here.`;
     const answer = await asked("There is a newer version", [make("p", { text: words }), theirs],
-      [["save", `Save mine as version ${version.number + 1}`], ["", "Go on writing"]]);
+      [["save", `Save mine as version ${version.number + 1}`], ["", "Keep writing"]]);
     return answer === "save";
   }
 
@@ -275,8 +271,12 @@ export function openWorkbench({ store, command, act, toasts }, panel) {
       const done = await command({ type: "upload", name: file, text: words });
       const loaded = found.map((one) => one.name.toUpperCase());
       const main = store.now.programs.find((one) => one.main && loaded.includes(one.name.toUpperCase()))?.name ?? found[0].name;
-      if (runs) await command({ type: "line", line: `EXECUTE ${main}` });
-      else toasts.tell(/^\.PROGRAM/m.test(done.text) ? `${main} is in the robot's memory` : done.text);
+      const wrong = remarks(done.text);
+      if (wrong) toasts.warn(wrong);
+      if (runs) {
+        const refused = remarks((await command({ type: "line", line: `EXECUTE ${main}` })).text);
+        if (refused && refused !== wrong) toasts.warn(refused);
+      } else if (!wrong) toasts.tell(/^\.PROGRAM/m.test(done.text) ? `${main} is in the robot's memory` : done.text);
     } catch (error) {
       toasts.warn(/** @type {Error} */ (error).message);
     }
@@ -285,24 +285,22 @@ export function openWorkbench({ store, command, act, toasts }, panel) {
 
   /** Say what may be done now, and else why not. */
   function may() {
-    const { connection, status, alive } = store.now;
+    const refused = whyNoCommand(store.now);
+    const busy = BUSY.includes(store.now.status?.mode ?? "");
     const reasons = [
-      [connection !== "open", "There is no connection to the room."],
-      [!alive, "The room has no session at the moment."],
-      [!store.operator, "Take control to load and run."],
-      [BUSY.includes(status?.mode ?? ""), "A program is running: abort it first."],
+      [refused, refused],
+      [busy, "A program is running: abort it first."],
       [!programsIn(lines()).length, "A program begins with .PROGRAM and its name."],
       [text().length > LONGEST_PROGRAM, "It is too long for a program."],
     ];
     const reason = /** @type {string} */ (reasons.find(([holds]) => holds)?.[1] ?? "");
     load.disabled = run.disabled = Boolean(reason);
-    stop.disabled = !store.operator || !BUSY.includes(status?.mode ?? "");
+    stop.disabled = Boolean(refused) || !busy;
     write(why, reason || (mistakes ? "The robot refuses what has mistakes." : ""));
   }
 
   /** Light the line that is at work. */
   function follow() {
-    if (editor.shown) return;
     const { status, programs } = store.now;
     const program = programs.find((one) => one.name === status?.program);
     const line = status && program && status.mode !== "idle" ? lineOf(lines(), program, status.step) : 0;
@@ -316,15 +314,37 @@ export function openWorkbench({ store, command, act, toasts }, panel) {
   let room = "";
   store.on(["room"], ({ room: now }) => {
     if (!now || now.id === room) return;
+    const first = !room;
     room = now.id;
     const draft = keptDraft(room);
-    show(draft?.text ?? NEW, draft?.opened ?? { shelf: "own", name: "", seen: 0 }, draft?.saved ?? NEW);
+    const unsaved = text() !== saved;
+    if (!first && (!draft || draft.text === text() || (unsaved && draft.text === draft.saved))) { // what one writes comes along
+      along.add(room);
+      if (opened.shelf === "room") opened = { ...opened, seen: 0 }; // it was another room's
+      remember();
+      told();
+    } else {
+      along = new Set([room]);
+      show(draft?.text ?? NEW, draft?.opened ?? { shelf: "own", name: "", seen: 0 }, draft?.saved ?? NEW);
+    }
     void list();
   });
   store.on(["programs"], listed);
   store.on(["status", "programs"], follow);
-  store.on(["status", "control", "you", "connection", "alive"], may);
+  store.on([...COMMANDING, "status"], may);
+  window.addEventListener("beforeunload", (event) => {
+    if (text() !== saved) event.preventDefault(); // the browser asks
+  });
   if (byId("tab-editor").getAttribute("aria-selected") === "true" && !matchMedia("(pointer: coarse)").matches) view.focus();
+}
+
+/**
+ * Return what the monitor said more than that it took a line or a file; empty: nothing.
+ * @param {string} said
+ */
+function remarks(said) {
+  const lines = said.split("\n").map((line) => line.trim()).filter(Boolean);
+  return lines.filter((line) => !/ uploaded$|^\.PROGRAM\b|^\.? ?EXECUTE\b/i.test(line)).slice(0, MOST_REMARKS).join("; ");
 }
 
 /** @param {number} count @param {string} word */

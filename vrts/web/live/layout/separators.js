@@ -14,7 +14,7 @@ const STRIDE = 64; // [px] with Shift
 
 /** Let a border be moved. What it sets lies to the right of it, or below. @param {Border} border */
 export function movable({ handle, room, upright, set, fold }) {
-  /** @type {{id: number, from: number, size: number} | null} */
+  /** @type {{id: number, from: number, size: number, moved: boolean} | null} */
   let drag = null;
   const within = (/** @type {number} */ size) => {
     const { least, most } = room();
@@ -25,18 +25,21 @@ export function movable({ handle, room, upright, set, fold }) {
   handle.addEventListener("pointerdown", (event) => {
     if (event.button !== 0) return;
     handle.setPointerCapture(event.pointerId);
-    drag = { id: event.pointerId, from: along(event), size: room().now };
+    drag = { id: event.pointerId, from: along(event), size: room().now, moved: false };
     handle.classList.add("dragged");
   });
   handle.addEventListener("pointermove", (event) => {
-    if (drag?.id === event.pointerId) set(within(drag.size + drag.from - along(event)), false);
+    if (drag?.id !== event.pointerId) return;
+    drag.moved ||= along(event) !== drag.from;
+    if (drag.moved) set(within(drag.size + drag.from - along(event)), false);
   });
   for (const name of /** @type {const} */ (["pointerup", "pointercancel"])) {
     handle.addEventListener(name, (event) => {
       if (drag?.id !== event.pointerId) return;
+      const { moved } = drag;
       drag = null;
       handle.classList.remove("dragged");
-      set(within(room().now), true);
+      if (moved) set(within(room().now), true); // a click alone sets nothing
     });
   }
   handle.addEventListener("dblclick", fold);

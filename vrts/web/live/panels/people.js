@@ -14,7 +14,7 @@ export function mountPeople({ store, connection, toasts }) {
   }, { id: "raise-hand" });
   const list = make("ul", { class: "people", "aria-label": "People" });
   const sentAway = held("Sent away", "Let in again", "allow", connection);
-  const silent = held("Muted, whatever name they take", "Let speak again", "unmute", connection);
+  const silent = held("Muted (even under another name)", "Let speak again", "unmute", connection);
   const code = make("p", { class: "class-code", hidden: true });
   store.on(["code", "supervisor"], ({ code: { code: text }, supervisor }) => {
     code.hidden = !supervisor || !text;

@@ -59,6 +59,7 @@ export function mountSettings({ store, connection, toasts }) {
   async function leave() {
     try {
       await logOut();
+      sessionStorage.clear(); // whoever comes next in this tab reads nothing of it
       location.assign("/");
     } catch (error) {
       toasts.warn(/** @type {Error} */ (error).message);

@@ -21,7 +21,7 @@ export function waysIn(store, toasts, entrance) {
   const from = make("ul", { class: "soft", "aria-label": "Entries by address" });
   const fresh = button("New class code", () => void change({ do: "renew" }), { hidden: true });
   const more = make("details", { class: "block", id: "ways-in" }, make("summary", { text: "Ways in" }), list, counts, from,
-    make("div", { class: "row" }, fresh, button("Look again", () => void look())));
+    make("div", { class: "row" }, fresh, button("Refresh", () => void look())));
   more.addEventListener("toggle", () => more.open && void look());
   window.setInterval(() => more.open && !document.hidden && void look(), MINUTE);
   store.on(["code"], () => more.open && void look());
@@ -43,18 +43,19 @@ export function waysIn(store, toasts, entrance) {
 
   /** @param {Way} way @param {Ways} ways */
   function row(way, ways) {
-    const name = way.kind === "code" ? `Class code ${ways.code}` : way.kind === "link" ? `Link into ${way.room || "a room that was closed"}` : "Supervisor's link, once";
+    const name = way.kind === "code" ? `Class code ${ways.code}` : way.kind === "link" ? `Link into ${way.room || "a room that was closed"}` : "Supervisor's link (works once)";
+    const it = way.kind === "code" ? `class code ${ways.code}` : way.kind === "link" ? `the link into ${way.room || "a room that was closed"}` : "the supervisor's link";
     const since = way.made ? `since ${new Date(way.made * 1000).toLocaleString([], { dateStyle: "medium", timeStyle: "short" })}` : "";
-    const wrong = way.kind === "code" ? `at most ${ways.wrong} wrong guesses so far` : "";
+    const wrong = way.kind === "code" ? `up to ${ways.wrong} wrong guesses` : "";
     const act = (/** @type {string} */ text, /** @type {() => void} */ click) =>
       button(text, click, { "data-do": `${text} ${way.id}`, "aria-label": `${text}: ${name}` });
     const renew = way.kind === "code" || (way.kind === "link" && way.room)
-      ? [act("Renew", () => window.confirm(`${name}: have another one? This one lets nobody in any more; those who are in stay.`) && void change({ do: "renew", id: way.id }, way.room))] : [];
+      ? [act("Renew", () => window.confirm(`Replace ${it}? The old ${way.kind} stops working. People who are in stay.`) && void change({ do: "renew", id: way.id }, way.room))] : [];
     return make("li", {}, make("span", { class: "person", text: name }),
       make("span", { class: "soft", text: ` ${[since, way.used === 1 ? "1 entry" : `${way.used} entries`, wrong].filter(Boolean).join(", ")}` }),
       make("div", { class: "row small" }, ...renew,
-        act("End", () => window.confirm(`${name}: let nobody in by it any more? Those who are in stay.`) && void change({ do: "end", id: way.id })),
-        ...(way.inside ? [act("End and send away", () => window.confirm(`${name}: let nobody in by it any more, and send away all who came in by it (${way.inside})?`) && void change({ do: "end", id: way.id, away: true }))] : [])));
+        act("End", () => window.confirm(`End ${it}? Nobody can enter with it. People who are in stay.`) && void change({ do: "end", id: way.id })),
+        ...(way.inside ? [act("End and send away", () => window.confirm(`End ${it}? Nobody can enter with it, and all who came in by it (${way.inside}) are sent away.`) && void change({ do: "end", id: way.id, away: true }))] : [])));
   }
 
   /** @param {{do: "renew"|"end", id?: string, away?: boolean}} what @param {string} [room] */

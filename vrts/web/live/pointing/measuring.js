@@ -88,11 +88,14 @@ export function mountMeasure({ store, world, pointer }) {
     if (key !== shown) show();
     shown = key;
   });
-  store.on(["sceneUrl", "places"], () => {
+  const renew = () => {
     clicked.fill(null);
     offer();
     show();
-  });
+  };
+  store.on(["places"], renew);
+  world.sceneWatchers.push((viewer) => viewer && renew());
+  document.addEventListener("panel", () => wait(null)); // who goes elsewhere picks nothing
   document.addEventListener("pointerdown", (event) => {
     const { viewer } = world;
     if (waits === null || !viewer || event.target !== viewer.canvas || event.button !== 0) return;
