@@ -8,9 +8,11 @@ CHAT: Final = (1.0, 8.0)
 QUESTIONS: Final = (25.0, 40.0)  # reach while the pointer is dragged
 LOOKS: Final = (10.0, 60.0)  # blocks of the past, of a minute each
 PROGRAMS: Final = (0.5, 4.0)  # uploads, saved programs, exports: they are long
+BRANCHES: Final = (1 / 120, 6.0)  # private rooms that an account begins
 EXCESS: Final = 1000  # messages beyond the limits after which a connection ends
 CONNECTIONS: Final = 8  # of one account
 ALL_CONNECTIONS: Final = 2000
+ACCOUNTS: Final = 1000  # whose use is remembered beside their places
 PLACES: Final = 1000  # in a room
 
 
@@ -31,3 +33,21 @@ class Bucket:
             return False
         self.level += 1.0
         return True
+
+
+class Buckets:
+    """A bucket for each account, whatever places it has; those that asked last are remembered."""
+
+    def __init__(self, rate: float, burst: float) -> None:
+        """Let through so many a second, and some more at once, of each account."""
+        self._rate = rate
+        self._burst = burst
+        self._of: dict[int, Bucket] = {}
+
+    def take(self, account: int, now: float) -> bool:
+        """Return whether one more of an account is let through."""
+        bucket = self._of.pop(account, None) or Bucket(self._rate, self._burst)
+        self._of[account] = bucket  # after all others
+        if len(self._of) > ACCOUNTS:
+            del self._of[next(iter(self._of))]
+        return bucket.take(now)

@@ -6,6 +6,7 @@ it: copies of the database let nobody in.
 """
 
 import os
+from contextlib import suppress
 from enum import Enum
 from hmac import compare_digest
 from pathlib import Path
@@ -15,6 +16,7 @@ from vrts.live.entrance.guessing import length_after
 from vrts.live.tokens import LETTERS, digest, new_code, plain_code
 
 FILE: Final = "class-code"  # in the server's folder
+UNREAD: Final = "?"  # in place of a code that cannot be read now: it lets nobody in
 FORMER: Final = 16  # codes of before that are known as such
 
 
@@ -68,13 +70,19 @@ class ClassCode:
 
 
 def kept_code(folder: Path) -> str:
-    """Return the code that stands in a server's folder; empty: none."""
+    """Return the code that stands in a server's folder; empty: none; `UNREAD`: not known now."""
     path = folder / FILE
-    return plain_code(path.read_text("utf-8", "replace")) if path.is_file() else ""
+    try:
+        return plain_code(path.read_text("utf-8", "replace")) if path.is_file() else ""
+    except OSError:
+        return UNREAD
 
 
 def keep_code(folder: Path, text: str) -> None:
-    """Write the code (empty: there is none), readable by the folder's owner only."""
+    """Write the code (empty: there is none), readable by the folder's owner only.
+
+    It is theirs even where root writes it: their server has to read it.
+    """
     path = folder / FILE
     if not text:
         path.unlink(missing_ok=True)
@@ -83,5 +91,9 @@ def keep_code(folder: Path, text: str) -> None:
     part.unlink(missing_ok=True)
     descriptor = os.open(part, os.O_CREAT | os.O_EXCL | os.O_WRONLY, 0o600)
     with os.fdopen(descriptor, "w", encoding="utf-8") as file:
+        if os.geteuid() == 0:
+            owner = folder.stat()
+            with suppress(OSError):  # such as in a container that does not know them
+                os.fchown(descriptor, owner.st_uid, owner.st_gid)
         file.write(f"{text}\n")
     part.replace(path)

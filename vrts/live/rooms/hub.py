@@ -8,6 +8,7 @@ from typing import Any, Final
 from vrts.live.door import text_frame
 from vrts.live.entrance.ways_in import WaysIn
 from vrts.live.lasting.clock import wall
+from vrts.live.limits import BRANCHES, Buckets
 from vrts.live.notices.announcement import Announcement
 from vrts.live.passwords import Passwords
 from vrts.live.protocol.coding import encode
@@ -46,6 +47,7 @@ class Hub:
         self.passwords = Passwords()
         self.projector = ""
         self.branching: set[int] = set()  # accounts whose private rooms are being made
+        self.branches = Buckets(*BRANCHES)  # how many each account begins
         self.purges = -1  # how often somebody was purged; -1: not known yet
         self.stopping = False
         self._tasks: set[asyncio.Task[Any]] = set()

@@ -73,6 +73,7 @@ async def close(hub: Hub, room: Room) -> None:
         hub.projector = next((r.id for r in hub.rooms.values() if r.branch is None), "")
     for member in list(room.members.values()):
         send_away(hub, member, "room closed", "the room was closed")
+    room.wake.set()  # it may wait for its supervisor, or for its turn to begin a session
     if room.process is not None:
         room.process.stop()
     hub.rooms_changed()
@@ -100,8 +101,8 @@ def _purges(connection: Connection) -> int:
 async def forget_purged(hub: Hub) -> None:
     """Give rooms the names and the chat that the database has, when somebody was purged."""
     count = await hub.database.do(_purges)
-    before, hub.purges = hub.purges, count
-    if before in (-1, count):
+    if hub.purges in (-1, count):
+        hub.purges = count
         return
     told = hub.announcement
     if told is not None:
@@ -118,6 +119,7 @@ async def forget_purged(hub: Hub) -> None:
         room.notes = [n for n in room.notes if n not in noted or (n.at_s, n.name) in there]
         room.have_said(_left(room, said))
         room.kept = room.kept._replace(name=names.get(room.id, room.kept.name))
+    hub.purges = count  # not before all is forgotten: what fails is done again
     hub.rooms_changed()
 
 

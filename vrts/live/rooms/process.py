@@ -76,9 +76,12 @@ class SessionProcess:
         self.scene = b""  # JSON of what is drawn
         self.failure = ""  # why it ended
         self._ready_at = 0.0
+        self._stopped = False  # it was asked to end, begun or not
 
     async def run(self) -> None:
-        """Start the process and read it until it ends."""
+        """Start the process and read it until it ends; one that was stopped before is none."""
+        if self._stopped:
+            return
         folder = Path(self.start.folder)
         folder.mkdir(mode=0o700, parents=True, exist_ok=True)
         with (folder / "stderr.txt").open("ab") as errors:
@@ -93,8 +96,9 @@ class SessionProcess:
                 start_new_session=True,  # Ctrl-C is for the server, which ends its sessions
             )
         try:
-            self._send(self.start)
-            await self._read(self._process)
+            if not self._stopped:  # while it was started
+                self._send(self.start)
+                await self._read(self._process)
         finally:
             self.ready = False
             await self._end()
@@ -153,7 +157,8 @@ class SessionProcess:
         return pipe is not None and pipe.transport.get_write_buffer_size() > BEHIND
 
     def stop(self) -> None:
-        """Ask the session to end; `run` then returns."""
+        """Ask the session to end, begun or not; `run` then returns."""
+        self._stopped = True
         if self._process is not None and self._process.stdin is not None:
             self._send(Stop())
             self._process.stdin.close()

@@ -2,6 +2,8 @@
 
 import asyncio
 import contextlib
+import logging
+from collections.abc import Generator
 from typing import Final
 
 from vrts.live.lasting.clock import steady
@@ -19,29 +21,64 @@ from vrts.live.store.waiting.journal import NO_ROOM
 
 AWAY_S: Final = 300.0  # how long the place of somebody whose connection dropped is kept
 PULSE: Final = 0.1  # [s]
+LOGGED_S: Final = 60.0  # how long a fault in a part of it is not logged again
 AWAY: Final = "the supervisor has ended the link or code that you came in by"
+_log = logging.getLogger("vrts.live")
+
+
+class _Parts:
+    """Has the others go on where a part of a round fails; that is logged, once a while."""
+
+    def __init__(self) -> None:
+        """Begin with nothing logged."""
+        self._due: dict[str, float] = {}
+
+    @contextlib.contextmanager
+    def part(self, name: str) -> Generator[None]:
+        """Do a part."""
+        try:
+            yield
+        except NO_ROOM:  # of the disk, which is told elsewhere: it is looked again in a second
+            pass
+        except Exception:
+            now = steady()
+            if now >= self._due.get(name, 0.0):
+                self._due[name] = now + LOGGED_S
+                _log.exception(f"a fault in vrts, in what is done again and again: {name}")
 
 
 async def pulse(hub: Hub) -> None:
     """Do what time alone brings about: flush slots, end turns, forget who is gone."""
-    wall_due = 0.0
+    wall_due, parts = 0.0, _Parts()
     while not hub.stopping:
         await asyncio.sleep(PULSE)
         now = steady()
         for room in list(hub.rooms.values()):
-            _pulse_room(hub, room, now)
+            with parts.part("rooms"):
+                _pulse_room(hub, room, now)
         if now >= wall_due:
             wall_due = now + 1.0
-            show_wall(hub)
-            if hub.announcement is not None and hub.announcement.changed:
-                hub.announcement.changed = False
-                hub.show_announcement(only=lambda member: member.supervisor)
-            _keep_reached(hub)
-            with contextlib.suppress(NO_ROOM):  # it is looked again in a second
+            with parts.part("wall"):
+                show_wall(hub)
+            with parts.part("announcement"):
+                _show_who_has_seen(hub)
+            with parts.part("progress"):
+                _keep_reached(hub)
+            with parts.part("people sent away"):
                 await _send_purged_away(hub)
+            with parts.part("purges"):
                 await forget_purged(hub)
+            with parts.part("empty rooms"):
                 await end_empty(hub)
+            with parts.part("ways in"):
                 await hub.ways.look()
+
+
+def _show_who_has_seen(hub: Hub) -> None:
+    """Tell supervisors how many have seen what is announced, if that has changed."""
+    if hub.announcement is not None and hub.announcement.changed:
+        hub.announcement.changed = False
+        hub.show_announcement(only=lambda member: member.supervisor)
 
 
 def _pulse_room(hub: Hub, room: Room, now: float) -> None:

@@ -1,5 +1,6 @@
 """A room: the people in it, the control right, the session they share, and what they were told."""
 
+import asyncio
 from collections import deque
 from collections.abc import Iterable
 from dataclasses import dataclass, field
@@ -69,6 +70,7 @@ class Room:
     came: set[int] = field(default_factory=set[int])  # accounts whose coming the log has
     session: int = 0
     process: SessionProcess | None = None
+    wake: asyncio.Event = field(default_factory=asyncio.Event)  # what keeps it going is to look
     task: str = ""  # title
     offered: bool = True  # the server has its scene
     waits: NoSession | None = None  # for its supervisor, who has to choose; None: it does not

@@ -51,6 +51,8 @@ BEFORE: Final = "before.jsonl"  # in a session's folder: what was done before it
 LEFT: Final = 4  # folders of a room's earlier sessions that stay
 STARTING: Final = 2  # sessions that begin at the same time
 NOT_LOGGED: Final = "this was done, but could not be recorded yet: tell the supervisor"
+CANNOT_BEGIN: Final = "the server cannot begin the session"
+DOUBLED: Final = 6  # how often the pause before it is tried again grows
 _NUMBERS: Final = 65_535
 
 _RAW = msgspec.Raw
@@ -63,22 +65,20 @@ class Sessions:
         """Serve a hub."""
         self._hub = hub
         self._starting = asyncio.Semaphore(STARTING)
-        self._wake: dict[str, asyncio.Event] = {}
 
     def begin(self, room: Room) -> None:
         """Keep a session going in a room until it is closed: as its log says, or a new one."""
-        self._wake[room.id] = asyncio.Event()
         room.offered = self._hub.settings.place(room.kept.scene) is not None
         self._hub.spawn(self._keep_going(room))
 
     def stop(self) -> None:
         """Have no room wait for its supervisor any more: the server ends."""
-        for wake in self._wake.values():
-            wake.set()
+        for room in self._hub.rooms.values():
+            room.wake.set()
 
     def begin_anew(self, room: Room) -> None:
         """End the session of a room, of which the log says that another begins."""
-        self._wake[room.id].set()
+        room.wake.set()
         if room.process is not None:
             room.process.stop()
 
@@ -97,20 +97,28 @@ class Sessions:
             text = encode({"seq": before.last.order.ref}).decode()
             taken = stamped(room, "without", member.account, text, at_s=0.0, accepted=True)
             await log_soon(self._hub, taken)
-        self._wake[room.id].set()
+        room.wake.set()
 
     async def _keep_going(self, room: Room) -> None:
-        deaths = Deaths()
+        deaths, failed = Deaths(), 0
         while not self._hub.stopping and room.id in self._hub.rooms:
             try:
                 await self._go_a_round(room, deaths)
+                failed = 0
             except NO_ROOM:  # such as a full disk: nothing begins that cannot be kept
                 await asyncio.sleep(RETRY_S)
-        self._wake.pop(room.id, None)
+            except OSError as problem:  # such as too many processes or open files
+                failed += 1
+                if failed == 1:
+                    why = problem.strerror or str(problem)
+                    await announce(self._hub, room, f"{CANNOT_BEGIN}: {why}; it is tried again")
+                pause_s = RETRY_S * 2.0 ** min(failed - 1, DOUBLED)
+                with contextlib.suppress(TimeoutError):
+                    await asyncio.wait_for(room.wake.wait(), pause_s)
 
     async def _go_a_round(self, room: Room, deaths: Deaths) -> None:
         """Let a session go on or begin, and tell how it ended or why there is none."""
-        hub, wake = self._hub, self._wake[room.id]
+        hub, wake = self._hub, room.wake
         wake.clear()
         room.offered = hub.settings.place(room.kept.scene) is not None
         if not room.offered:
@@ -140,7 +148,7 @@ class Sessions:
         room.show_waits(waits)
         self._hub.rooms_changed()
         settle(self._hub, room, b"null")
-        await self._wake[room.id].wait()
+        await room.wake.wait()
         room.show_waits(None)
         self._hub.rooms_changed()
 
@@ -204,7 +212,7 @@ class Sessions:
         try:
             room.process = process
             room.unheard = ""
-            if not self._wake[room.id].is_set():
+            if not room.wake.is_set() and room.id in hub.rooms:
                 await process.run()
         finally:
             if not begun:

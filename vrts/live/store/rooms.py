@@ -3,6 +3,8 @@
 import sqlite3
 from typing import Final, NamedTuple
 
+import msgspec
+
 from vrts.live.store.seals.connection import naming
 
 PURGES: Final = "purges"  # counter of how often somebody was purged
@@ -98,17 +100,39 @@ class KeptNote(NamedTuple):
     text: str  # JSON
 
 
+class _Back(msgspec.Struct, frozen=True):
+    time_s: float = 0.0
+
+
+class _WentBack(msgspec.Struct, frozen=True):
+    """The text of a record of a session that went back in time."""
+
+    action: _Back
+
+
 def notes_of(connection: sqlite3.Connection, room: str) -> list[KeptNote]:
-    """Return the notes of a room's last session; those of who was purged are gone."""
+    """Return the notes of a room's last session; those of who was purged are gone.
+
+    So are those that lie later than where the session went back to after them.
+    """
     rows = connection.execute(
-        "SELECT at_s, log_name.name, text FROM log JOIN log_text USING (room, seq)"
-        " JOIN log_name ON log_name.room=log.room AND log_name.account=log_text.account"
-        " WHERE log.room=?1 AND kind='note'"
+        "SELECT at_s, log_name.name, text, kind FROM log LEFT JOIN log_text USING (room, seq)"
+        " LEFT JOIN log_name ON log_name.room=log.room AND log_name.account=log_text.account"
+        " WHERE log.room=?1 AND (kind='note' OR kind IN ('reset', 'rewind') AND accepted)"
         " AND seq>(SELECT coalesce(max(seq), 0) FROM log WHERE room=?1 AND kind='begin')"
         " ORDER BY seq",
         (room,),
     )
-    return [KeptNote._make(row) for row in rows]
+    found: list[KeptNote] = []
+    for at_s, name, text, kind in rows:
+        if kind == "rewind":
+            back = msgspec.json.decode(text, type=_WentBack).action if text else _Back()
+            found = [note for note in found if note.at_s <= back.time_s] if back.time_s else []
+        elif kind == "reset":
+            found = []
+        elif name is not None and text is not None:
+            found.append(KeptNote(at_s, name, text))
+    return found
 
 
 def next_number(connection: sqlite3.Connection, name: str) -> int:

@@ -58,7 +58,8 @@ class HealthPage:
     def now(self) -> Health:
         """Return what is known now; whether the database can be written was tried lately."""
         rooms = self._hub.rooms.values()
-        dying = any(room.waits is not None and room.offered for room in rooms)
+        shared = [room for room in rooms if room.branch is None]  # a private one is its owner's
+        dying = any(room.waits is not None and room.offered for room in shared)
         problems = ((UNWRITTEN,) if not self._writes else ()) + ((DYING,) if dying else ())
         return Health(
             status="failing" if problems else "ok",

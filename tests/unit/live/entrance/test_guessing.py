@@ -1,13 +1,17 @@
 """How long a class code is, and what guesses at it are answered, in memory."""
 
+import asyncio
 from fractions import Fraction
 from pathlib import Path
 
 import pytest
 
 from vrts.live.entrance import guessing
-from vrts.live.entrance.class_code import ClassCode, Guess, keep_code, kept_code
+from vrts.live.entrance.by_hand import fresh_code
+from vrts.live.entrance.class_code import UNREAD, ClassCode, Guess, keep_code, kept_code
 from vrts.live.entrance.guessing import BUDGET, GROWTH, SHORTEST, budget, codes, length_after
+from vrts.live.entrance.ways_in import WaysIn
+from vrts.live.store.database import Database
 from vrts.live.tokens import LETTERS, grouped, new_code
 
 MILLIONTH = Fraction(1, 1_000_000)
@@ -85,6 +89,58 @@ def test_the_code_stands_in_a_file_for_its_owner_only(tmp_path: Path) -> None:
     assert kept_code(tmp_path) == "ABCDEFGHJ"
     keep_code(tmp_path, "")
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_code_that_root_writes_is_the_folders_owners(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    given: list[tuple[int, int]] = []
+    monkeypatch.setattr("os.fchown", lambda _, user, group: given.append((user, group)))
+    monkeypatch.setattr("os.geteuid", lambda: 0)
+    keep_code(tmp_path, "ABCDEFGHJ")
+    owner = tmp_path.stat()
+    assert given == [(owner.st_uid, owner.st_gid)]
+    monkeypatch.setattr("os.geteuid", lambda: 1000)
+    keep_code(tmp_path, "ABCDEFGHJ")
+    assert len(given) == 1
+
+
+def test_a_code_that_cannot_be_read_is_not_known_now(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuses(*_: object) -> str:
+        raise PermissionError
+
+    keep_code(tmp_path, "ABCDEFGHJ")
+    monkeypatch.setattr(Path, "read_text", refuses)
+    assert kept_code(tmp_path) == UNREAD
+    code = ClassCode(UNREAD, 0)
+    assert code.guess("ABCDEFGHJ") is Guess.NO_CODE
+
+
+def test_a_server_keeps_its_code_while_the_file_cannot_be_read(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async def work() -> tuple[str, str, str]:
+        database = Database(tmp_path / "live.sqlite")
+        ways = WaysIn(tmp_path, database, "", has_code=True)
+        await ways.open()
+        before = ways.code.text
+        renewed = await database.do(lambda connection: fresh_code(tmp_path, connection, 1.0))
+        with monkeypatch.context() as patched:
+            patched.setattr(Path, "read_text", refuses)
+            await ways.look()
+            kept = ways.code.text
+        await ways.look()
+        database.close()
+        assert ways.code.text == renewed
+        return before, kept, renewed
+
+    def refuses(*_: object) -> str:
+        raise PermissionError
+
+    before, kept, renewed = asyncio.run(work())
+    assert before == kept != renewed
 
 
 @pytest.mark.parametrize(

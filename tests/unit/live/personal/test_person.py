@@ -2,6 +2,7 @@
 
 import asyncio
 import json
+import sqlite3
 import zipfile
 from pathlib import Path
 
@@ -119,6 +120,18 @@ def test_texts_that_others_wrote_stay_until_somebody_wants_them_gone(folder: Fol
     assert folder.wrong() == []
 
 
+class Interrupted:
+    """A database that tells that somebody was purged, and then nothing."""
+
+    asked = 0
+
+    async def do(self, _: object) -> int:
+        self.asked += 1
+        if self.asked > 1:
+            raise sqlite3.OperationalError("database is locked")
+        return 1
+
+
 def test_rooms_that_run_forget_what_was_said(folder: Folder) -> None:
     settings = Settings(folder.place, places_of(("cans-on-bases",)), log_key=folder.key)
 
@@ -130,7 +143,11 @@ def test_rooms_that_run_forget_what_was_said(folder: Folder) -> None:
         told = Announcement(1, 0.0, ANNA, WORD, folder.anna)
         hub.announcement = Announcement(2, 0.0, "Ben", "stays", folder.ben)
         purge(folder.place, ANNA, folder.key)
-        await forget_purged(hub)
+        hub.database, whole = Interrupted(), hub.database  # type: ignore[assignment]
+        with pytest.raises(sqlite3.OperationalError):
+            await forget_purged(hub)
+        hub.database = whole
+        await forget_purged(hub)  # it is done again
         assert announced(hub) == "stays"
         hub.announcement, hub.purges = told, 0
         await forget_purged(hub)

@@ -10,6 +10,10 @@ import pytest
 from tests.support_live import Browser, LiveServer
 from vrts.live.administration import purge_user
 from vrts.live.protocol.fields import LONGEST_NOTE
+from vrts.live.store import log
+from vrts.live.store.accounts import add_account
+from vrts.live.store.database import opened
+from vrts.live.store.rooms import KeptRoom, keep_room, notes_of
 
 HOSTILE = "look <img src=x onerror=alert(1)></script>"
 TASK = "examples/01-cans-on-bases/task.toml"
@@ -95,3 +99,36 @@ def test_a_note_is_told_kept_and_shown_again(tmp_path: Path) -> None:
         boss.answer(boss.command(lease, "reset"))
         _, snapshot = joined(server, boss_cookie)
         assert snapshot["notes"] == [], "another time has begun"
+
+
+def test_notes_that_were_taken_back_stay_so_after_a_restart(tmp_path: Path) -> None:
+    connection = opened(tmp_path / "live.sqlite")
+    keep_room(connection, KeptRoom("r", "Class", "cans-on-bases", 1, True, 0.0, 0.0))
+    anna = add_account(connection, "Anna", 0.0).id
+
+    def put(kind: str, at_s: float, text: str = "{}", *, accepted: bool = True) -> None:
+        what = (at_s, 0.0, kind, accepted, anna, "Anna", text)
+        log.append(connection, log.Entry("r", 1, *what))
+
+    def told() -> list[float]:
+        return [note.at_s for note in notes_of(connection, "r")]
+
+    def back(to_s: float) -> str:
+        return f'{{"action":{{"type":"rewind","time_s":{to_s}}},"result":null}}'
+
+    put("begin", 0.0)
+    for at_s in (1.0, 2.0, 3.0):
+        put("note", at_s, '{"text":"look"}')
+    put("rewind", 3.5, back(0.5), accepted=False)
+    put("reset", 3.5, accepted=False)
+    assert told() == [1.0, 2.0, 3.0]
+    put("rewind", 4.0, back(2.0))
+    put("note", 2.5, '{"text":"look"}')
+    assert told() == [1.0, 2.0, 2.5]
+    put("reset", 5.0)
+    assert told() == []
+    put("note", 0.7, '{"text":"look"}')
+    assert told() == [0.7]
+    log.purge(connection, anna)
+    assert told() == []
+    connection.close()

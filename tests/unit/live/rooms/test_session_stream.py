@@ -5,6 +5,7 @@ import os
 import stat
 import sys
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -84,3 +85,37 @@ def test_what_is_no_message_ends_the_session(
     data = stream(note("a")) + LENGTH.pack(length) + b"x"
     _, failure = heard(tmp_path, monkeypatch, data, size=len(data), pause=0.0)
     assert failure == "the session sent what cannot be read"
+
+
+def test_a_session_that_is_stopped_before_it_began_says_nothing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    took: list[str] = []
+
+    def on_message(head: Head, _: bytes) -> None:
+        took.append(head.type)
+
+    def process() -> SessionProcess:
+        start = Start(1, str(tmp_path / "session"))
+        return SessionProcess(start, took.append, on_message)  # type: ignore[arg-type]
+
+    async def before() -> None:
+        session = process()
+        session.stop()
+        await session.run()
+
+    asyncio.run(before())
+    assert not (tmp_path / "session").exists(), "nothing was started"
+
+    starts = asyncio.create_subprocess_exec
+    session = process()
+
+    async def slowly(*_: str, **how: Any) -> asyncio.subprocess.Process:
+        session.stop()  # meanwhile
+        program = "import sys; sys.exit(len(sys.stdin.read()))"
+        return await starts(sys.executable, "-c", program, **how)
+
+    monkeypatch.setattr(asyncio, "create_subprocess_exec", slowly)
+    asyncio.run(session.run())
+    assert session.failure == "its process ended with status 0", "nothing was asked of it"
+    assert took == []

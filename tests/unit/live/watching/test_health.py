@@ -12,6 +12,7 @@ from tests.support_live import LiveServer
 from vrts.live.protocol.from_server import NoSession
 from vrts.live.rooms.control import ControlRight
 from vrts.live.rooms.room import Room
+from vrts.live.store.branches import Branch
 from vrts.live.store.rooms import KeptRoom
 from vrts.live.watching import health
 from vrts.live.watching.health import DYING, UNWRITTEN, HealthPage
@@ -56,6 +57,10 @@ def test_it_is_well_until_nothing_can_be_written_or_sessions_die(
     room.waits, hub.rooms["r"] = NoSession("died"), room
     status, body = asyncio.run(ask())
     assert (status, DYING.encode() in body, b"Secret" in body) == (503, True, False)
+    room.branch = Branch("r", 1, "class", 0.0)
+    assert asyncio.run(ask())[0] == 200, "what one person does in a private room is their own"
+    room.branch = None
+    assert asyncio.run(ask())[0] == 503
     room.offered = False  # its scene is not among those that are served: that was chosen
     assert asyncio.run(ask())[0] == 200
     monkeypatch.setattr(health, "FRESH_S", -1.0)

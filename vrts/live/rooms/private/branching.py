@@ -3,11 +3,12 @@
 import time
 from typing import Final
 
+from vrts.live.lasting.clock import steady
 from vrts.live.logs.branching import begin_branch
 from vrts.live.logs.logged_sessions import LogFault
 from vrts.live.refusal import NotObeyed
 from vrts.live.rooms.audience import EVERYBODY
-from vrts.live.rooms.hub import Hub
+from vrts.live.rooms.hub import DISK_HELP, NO_DISK, Hub
 from vrts.live.rooms.keeping import say
 from vrts.live.rooms.member import Member
 from vrts.live.rooms.opening import close, open_room
@@ -40,12 +41,20 @@ async def branch(hub: Hub, sessions: Sessions, member: Member, at_s: float) -> R
         raise NotObeyed("past", "this has not happened yet")
     if account.id in hub.branching:
         raise NotObeyed("busy", "your room is being made already")
+    if hub.branching:  # much work for the disk; and none is made that is not counted below
+        text = "a private room of somebody else is being made"
+        raise NotObeyed("busy", text, "try again in a moment")
+    if hub.journal.problem:
+        raise NotObeyed("disk", NO_DISK, DISK_HELP)
     private = [room for room in hub.rooms.values() if room.branch is not None]
     own = [room for room in private if room.is_own(account)]
     if len(private) - len(own) >= hub.settings.private_rooms:
         most = hub.settings.private_rooms
         text = f"there are {most} private rooms already" if most else "there are no private rooms"
         raise NotObeyed("limit", text, "try again later" if most else "")
+    if not hub.branches.take(account.id, steady()):
+        text = "you have begun many private rooms already"
+        raise NotObeyed("rate", text, "wait two minutes, then try again")
     end = f" from {_clock(at_s)}, {account.name}"  # whole: a purge has to find the name
     name = (origin.kept.name[: max(LONGEST_NAME - len(end), 0)] + end).strip()
     place = max(room.kept.place for room in hub.rooms.values()) + 1
@@ -53,6 +62,7 @@ async def branch(hub: Hub, sessions: Sessions, member: Member, at_s: float) -> R
     made = Branch(kept.id, account.id, origin.id, min(at_s, reached.time_s))
     hub.branching.add(account.id)
     try:
+        await hub.journal.settled()  # what was done and not written yet would be missed
         number = await hub.database.do(lambda connection: next_number(connection, "session"))
         await hub.database.do(lambda c: begin_branch(c, kept, made, number % 65_535 + 1))
         room = await open_room(hub, kept)
