@@ -95,7 +95,11 @@ def test_a_code_that_root_writes_is_the_folders_owners(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     given: list[tuple[int, int]] = []
-    monkeypatch.setattr("os.fchown", lambda _, user, group: given.append((user, group)))
+
+    def gives(_: int, user: int, group: int) -> None:
+        given.append((user, group))
+
+    monkeypatch.setattr("os.fchown", gives)
     monkeypatch.setattr("os.geteuid", lambda: 0)
     keep_code(tmp_path, "ABCDEFGHJ")
     owner = tmp_path.stat()
