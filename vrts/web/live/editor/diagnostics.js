@@ -7,6 +7,21 @@ import { changes, offset, position } from "./places.js";
 const SEVERITIES = ["", "error", "warning", "info", "hint"];
 const MOST = 200; // that are marked
 
+/** @typedef {{title: string, preferred: boolean, edits: import("./places.js").Edit[], range: import("./places.js").Range | null}} Fix */
+
+/** What to do when what would mend a text has come. @type {WeakMap<import("@codemirror/view").EditorView, (() => void)[]>} */
+const waiting = new WeakMap();
+
+/**
+ * Do something when what would mend the text has come; return false if nothing is awaited.
+ * @param {import("@codemirror/view").EditorView} view @param {() => void} act
+ */
+export function whenFixesCome(view, act) {
+  const acts = waiting.get(view);
+  acts?.push(act);
+  return acts !== undefined;
+}
+
 /**
  * Mark what is wrong; then ask what would mend it.
  * @param {import("@codemirror/view").EditorView} view @param {import("./help.js").Help} help @param {any[]} found
@@ -15,11 +30,24 @@ export async function mark(view, help, found) {
   const { doc } = view.state;
   const marked = found.slice(0, MOST).map((one) => marking(doc, one, []));
   view.dispatch(setDiagnostics(view.state, marked));
-  if (!found.some(({ severity }) => severity <= 2)) return;
+  if (!found.some(({ severity }) => severity <= 2)) return void waiting.delete(view);
   const whole = { start: position(doc, 0), end: position(doc, doc.length) };
-  /** @type {{title: string, preferred: boolean, edits: import("./places.js").Edit[], range: import("./places.js").Range | null}[] | null} */
+  const acts = waiting.get(view) ?? [];
+  waiting.set(view, acts);
+  /** @type {Fix[] | null} */
   const fixes = await help.ask("codeAction", { range: whole });
-  if (!fixes?.length || view.state.doc !== doc) return;
+  if (view.state.doc !== doc) return; // the present text is asked about by now
+  waiting.delete(view);
+  if (fixes?.length) show(view, found, fixes);
+  for (const act of acts) act();
+}
+
+/**
+ * Mark what is wrong once more, with what would mend it.
+ * @param {import("@codemirror/view").EditorView} view @param {any[]} found @param {Fix[]} fixes
+ */
+function show(view, found, fixes) {
+  const { doc } = view.state;
   const withFixes = found.slice(0, MOST).map((one) => marking(doc, one, fixes.filter(({ range }) => range && same(range, one.range))));
   view.dispatch(setDiagnostics(view.state, withFixes));
 }

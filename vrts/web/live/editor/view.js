@@ -11,6 +11,7 @@ import { highlightSelectionMatches, searchKeymap } from "@codemirror/search";
 import { EditorState, Prec } from "@codemirror/state";
 import { EditorView, drawSelection, highlightActiveLine, highlightActiveLineGutter, highlightSpecialChars, keymap, lineNumbers } from "@codemirror/view";
 import { atWork } from "./at_work.js";
+import { whenFixesCome } from "./diagnostics.js";
 import { closeExplained, explain, hover } from "./hover.js";
 import { language } from "./language.js";
 import { closeSignature, signature } from "./signature.js";
@@ -25,7 +26,7 @@ export function fixHere(view) {
   forEachDiagnostic(view.state, (one, start, end) => {
     if (!found && start <= to && end >= from && one.actions?.length) found = { action: one.actions[0], from: start, to: end };
   });
-  if (!found) return openLintPanel(view);
+  if (!found) return whenFixesCome(view, () => void fixHere(view)) || openLintPanel(view);
   const { action, from: start, to: end } = /** @type {{action: any, from: number, to: number}} */ (found);
   action.apply(view, start, end);
   return true;
