@@ -103,12 +103,17 @@ def test_a_program_is_written_with_help_saved_and_run(browser: Browser, server: 
     page.click(".bench button:text-is('Abort')")
     anna.until("vrts.store.now.status.mode === 'stopped'")
 
+    anna.value("void (vrts.panic = () => { window.panicked = true; })")
     keyboard_focus(anna)
+    anna.press_twice("Escape")
+    assert anna.value("window.panicked === undefined"), "who leaves the editor stops nothing"
     keyboard.press("Escape")
     keyboard.press("Tab")
     assert anna.value(
         f"{SHADOW}.activeElement === null && document.activeElement.tagName === 'BUTTON'"
     )
+    anna.press_twice("Escape")
+    anna.until("window.panicked")
     assert anna.complaints() == []
     anna.context.close()
 

@@ -47,6 +47,7 @@ def test_one_looks_back_and_goes_on_from_there_while_the_session_goes_on(
     ben.until(f"{LOOKS_BACK} && {turned(0)} && {AT}.includes('00:00:00')")
     assert ben.page.inner_text("#past-sign").startswith("You look at the past")
     assert ben.page.inner_text("#past-sign").count(" ago") == 1
+    assert ben.page.get_attribute("#past-time", "aria-valuetext") == "00:00:00"
     assert ben.page.inner_text(".f-outputs dd") == "none"
     assert anna.value(f"{turned(-20)} && {LIVE}"), "nobody else looks back"
 

@@ -91,12 +91,16 @@ def test_the_task_stands_beside_the_arm(lead: Desk) -> None:
     looked = lead.value("import('/web/live/looking.js').then((page) => page.lookedAt())")
     assert f"{looked:.1f} s" == told
 
+    page.keyboard.press("Alt+P")
+    page.wait_for_selector("#desk", state="hidden")
     page.keyboard.press("Alt+N")
+    assert page.inner_text("#note-form button") == "Note now"
     page.keyboard.type(f"here {HOSTILE}")
     page.keyboard.press("Enter")
     lead.until("document.querySelector('#panel-history tr.noted') !== null")
     assert f"here {HOSTILE}" in page.inner_text("#panel-history tr.noted")
     assert page.input_value("#note-text") == ""
+    assert page.inner_text("#note-form button") == "Note this moment", "live again"
 
     page.reload()
     lead.until("Boolean(window.vrts?.world?.state)")

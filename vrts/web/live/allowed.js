@@ -10,7 +10,7 @@ export function whyNoCommand(now) {
   if (!you || control.holder !== you) return "Only the person with control can do this: take control first.";
   if (control.frozen) return "The supervisor has frozen the room.";
   if (control.locked) return "The supervisor has locked control.";
-  if (!alive) return "The session is being prepared.";
+  if (!alive) return "The room has no session now.";
   return "";
 }
 

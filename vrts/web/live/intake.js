@@ -35,6 +35,7 @@ export class Intake {
         store.set({ room: message.room, rooms: message.rooms, scenes: message.scenes, noSession: null });
         store.set({ notes: message.notes });
         if (message.chat.length) store.set({ chat: message.chat });
+        store.set({ stopped: null, announced: null }); // told after this, if there is any
         this.state(message, other);
         break;
       }

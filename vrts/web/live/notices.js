@@ -74,12 +74,12 @@ function stop(place, store) {
   let timer = 0;
   let closed = 0; // which of them was closed here
 
-  /** @param {(string | Node)[]} parts @param {string} how to go on @param {boolean} done */
-  function show(parts, how, done) {
+  /** @param {(string | Node)[]} parts @param {string} how to go on @param {boolean} done @param {boolean} [closes] whether it can be closed */
+  function show(parts, how, done, closes = done) {
     place.hidden = false;
     place.classList.toggle("waits", !done);
     place.replaceChildren(make("p", { class: "what" }, ...parts), ...(how ? [make("p", { class: "how", text: how })] : []),
-      ...(done ? [make("div", { class: "row small" }, button("Close", () => { closed = store.now.stopped?.at ?? 0; place.hidden = true; }))] : []));
+      ...(closes ? [make("div", { class: "row small" }, button("Close", () => { closed = store.now.stopped?.at ?? 0; place.hidden = true; }))] : []));
   }
 
   let key = "";
@@ -104,7 +104,7 @@ function stop(place, store) {
     if (store.now.stopped) key = ""; // said again: it was pressed again
     show([make("strong", { text: "Stopping the arm …" })], "", false);
     timer = window.setTimeout(() => {
-      if (place.classList.contains("waits")) show([make("strong", { text: "No answer yet: the arm may still move. Press PANIC again." })], "", false);
+      if (place.classList.contains("waits")) show([make("strong", { text: "No answer yet: the arm may still move. Press PANIC again." })], "", false, true);
     }, UNANSWERED);
   };
 }
@@ -115,8 +115,8 @@ function stop(place, store) {
  */
 function onward(control, you, supervisor, holder) {
   if (control.frozen) return supervisor ? "To go on: unfreeze the room, in the panel Lead." : "The supervisor has frozen the room: it goes on when they unfreeze it.";
-  if (control.holder === you) return "To go on: RETRY does the motion that was cut again, PROCEED goes on with the next step. Any other command works too.";
-  return holder ? "How it goes on is for the person with control to say." : "Nobody has control now: take control to go on.";
+  if (control.holder === you) return "Type RETRY to repeat the motion that was cut, or PROCEED for the next step. Any other command works too.";
+  return holder ? "The person with control decides how to go on." : "Nobody has control now: take control to go on.";
 }
 
 /** The bar of a page, by which notices stand. @param {string} id of what it is in @returns {HTMLElement} */

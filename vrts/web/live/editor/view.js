@@ -71,7 +71,8 @@ export function makeView(host, help, told) {
       { key: "F1", run: explain },
       { key: "Mod-.", run: fixHere },
     ])),
-    keymap.of([...closeBracketsKeymap, ...completionKeymap, ...lintKeymap, ...searchKeymap, ...historyKeymap, ...defaultKeymap,
+    keymap.of([...closeBracketsKeymap, ...completionKeymap, ...lintKeymap, ...searchKeymap, ...historyKeymap,
+      ...defaultKeymap.filter(({ key }) => key !== "Alt-l"), // it leads back to live
       { key: "Tab", run: insertTab, shift: indentLess }]),
     EditorView.updateListener.of(told.changed),
   ];

@@ -1,6 +1,7 @@
 // The page's parts beside each other: borders that move, parts that fold, remembered in this browser.
 
 import { byId } from "../dom.js";
+import { withAlt } from "../keys.js";
 import { keepLayout, keptLayout, LIMITS } from "./kept.js";
 import { movable } from "./separators.js";
 
@@ -97,8 +98,9 @@ export function mountLayout() {
     });
   }
   document.addEventListener("keydown", (event) => {
-    const part = event.altKey && !event.ctrlKey && !event.metaKey ? KEYS[/** @type {keyof typeof KEYS} */ (event.code)] : undefined;
-    if (event.altKey && event.code === "KeyM" && isFolded("terminal")) fold("terminal", false); // the monitor is to get the focus
+    const code = withAlt(event);
+    const part = KEYS[/** @type {keyof typeof KEYS} */ (code)];
+    if (code === "KeyM" && isFolded("terminal")) fold("terminal", false); // the monitor is to get the focus
     if (!part) return;
     event.preventDefault();
     buttons[/** @type {Part} */ (part)].click();

@@ -46,7 +46,9 @@ export function showRoom(me, wanted) {
   const notices = mountNotices(barOf("room"), app);
   const { panic } = app;
   app.panic = () => {
-    notices.pressed();
+    const { connection, alive } = app.store.now;
+    if (connection === "open" && alive) notices.pressed();
+    else if (connection === "open") app.toasts.warn("the room has no session now");
     panic();
   };
   mountTop(app);

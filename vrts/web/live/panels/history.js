@@ -29,7 +29,7 @@ export function mountHistory({ store, world, command, toasts }) {
   const reset = button("Reset the scene", () => attempt({ type: "reset" }));
   panel.append(
     make("label", { class: "check" }, lights, "Light up and report contacts"), none, box,
-    make("div", { class: "block" }, make("h2", { text: "Go back" }), make("p", { class: "soft", text: "Press an event to look at it, alone, and to take its time. Rewind takes everybody back." }), make("div", { class: "row" }, reset, rewind)),
+    make("div", { class: "block" }, make("h2", { text: "Go back" }), make("p", { class: "soft", text: "Press an event to see that moment on your page only; its time goes into the field. Rewind takes everybody back." }), make("div", { class: "row" }, reset, rewind)),
   );
   onSubmit(rewind, () => attempt({ type: "rewind", time_s: Number(time.value) }));
 

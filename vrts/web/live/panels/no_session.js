@@ -20,7 +20,7 @@ export function mountNoSession(app) {
     place.replaceChildren();
     if (!noSession?.why) return;
     place.append(make("p", { class: "why", text: sentence(noSession.why) }));
-    place.append(make("p", { text: noSession.help ? sentence(noSession.help) : "The supervisor is needed." }));
+    place.append(make("p", { text: noSession.help ? sentence(noSession.help) : "Wait for the supervisor." }));
     const known = noSession.choices.filter((name) => name in CHOICES);
     if (!known.length) return;
     const buttons = known.map((name) => button(CHOICES[name][0], () => CHOICES[name][1](app), name === "again" ? { class: "main" } : {}));

@@ -1,6 +1,8 @@
 // Notes at this moment: put by the operator and the supervisor, seen by everybody on the time line and in the list of events.
 
-import { byId, make, onSubmit } from "../dom.js";
+import { byId, make, onSubmit, write } from "../dom.js";
+import { withAlt } from "../keys.js";
+import { backToLive, onLook } from "../looking.js";
 import { inText } from "../names.js";
 import { offerMarks } from "../past/marks.js";
 import { LONGEST_NOTE } from "../protocol.js";
@@ -9,18 +11,21 @@ import { count } from "./tabs.js";
 /** @param {import("../pages/room.js").App} app */
 export function mountNotes({ store, connection, toasts }) {
   const field = make("input", { id: "note-text", maxlength: LONGEST_NOTE, placeholder: "Worth coming back to", "aria-label": "Note", autocomplete: "off", required: true });
-  const put = make("button", { text: "Note this moment", title: "Put a note at this moment of the session (Alt+N)" });
+  const put = make("button", { title: "Put a note at this moment of the session (Alt+N)" });
   const form = make("form", { class: "row note-form", id: "note-form" }, field, put);
   byId("panel-history").prepend(form);
   onSubmit(form, () => {
     const text = field.value.trim();
     if (!text) return;
+    backToLive(); // a note is put at what is now
     if (connection.send("note", { text })) field.value = "";
     else toasts.warn("there is no connection at the moment");
   });
   document.addEventListener("keydown", (event) => {
-    if (!event.altKey || event.ctrlKey || event.code !== "KeyN" || form.hidden) return;
+    if (withAlt(event) !== "KeyN" || form.hidden) return;
     event.preventDefault();
+    const fold = byId("fold-desk");
+    if (fold.getAttribute("aria-expanded") === "false") fold.click();
     byId("tab-history").click();
     field.focus();
   }, true);
@@ -28,6 +33,7 @@ export function mountNotes({ store, connection, toasts }) {
     form.hidden = !supervisor && !store.operator;
     field.disabled = put.disabled = state !== "open" || !alive;
   });
+  onLook((t) => write(put, t === null ? "Note this moment" : "Note now"));
   let known = 0;
   store.on(["notes"], ({ notes }) => {
     if (notes.length > known && known) count("history");

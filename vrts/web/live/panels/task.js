@@ -24,6 +24,9 @@ export function mountTask(app) {
   const panel = byId("panel-task");
   const head = make("h2", { id: "task-title" });
   const mark = make("p", { class: "task-mark", id: "task-mark", role: "status", "aria-label": "Mark by the public checks" });
+  const points = make("b");
+  const total = make("span");
+  mark.append(points, total);
   const text = make("p", { class: "task-text", tabindex: "0", role: "region", "aria-label": "What is asked for" });
   const goals = make("ul", { class: "goal-list", id: "goal-list" });
   const losses = make("tbody");
@@ -48,6 +51,7 @@ export function mountTask(app) {
   let rows = [];
   /** @type {TaskView | null} */
   let task = null;
+  let chosen = Boolean(chosenBefore); // whether somebody has chosen a panel, or the task was shown
 
   store.on(["task"], ({ task: now }) => {
     if (JSON.stringify(now) === JSON.stringify(task)) return;
@@ -69,7 +73,10 @@ export function mountTask(app) {
     due = performance.now() + PAUSE;
     figures(state);
   });
-  document.addEventListener("panel", () => figures());
+  document.addEventListener("panel", () => {
+    chosen = true;
+    figures();
+  });
 
   /** Write what is asked for. */
   function ask() {
@@ -83,7 +90,8 @@ export function mountTask(app) {
     goals.replaceChildren(...task.goals.map((goal) => row(goal.title, goal.words, goal.check, goal.bodies[0], goal)),
       ...task.vias.map((via, index) => row(`via point ${via.name}`, (task?.ordered ? `number ${index + 1} in order: ` : "") + via.words, via.check, "", null)));
     rules.replaceChildren(...task.rules.map(({ text: words, worth }) => make("li", {}, ...prose(words), " ", make("small", { text: worth }))));
-    if (!chosenBefore && !PHONE.matches && panel.hidden) byId("tab-task").click(); // the task is what one came for
+    if (!chosen && !PHONE.matches && panel.hidden) byId("tab-task").click(); // the task is what one came for
+    chosen = true;
   }
 
   /** Return the row of one thing that is asked for. @param {string} title @param {string} words @param {string} check @param {string} body @param {GoalView | null} goal */
@@ -126,7 +134,8 @@ export function mountTask(app) {
   function tell() {
     const { marked, status } = store.now;
     const known = marked && status && status.mark !== null && status.mark !== undefined;
-    mark.replaceChildren(make("b", { text: known ? figure(marked.mark, 1) : "–" }), ` / ${figure(marked?.total ?? task?.total ?? 10, 1).replace(/\.0$/, "")}`);
+    write(points, known ? figure(marked.mark, 1) : "–");
+    write(total, ` / ${figure(marked?.total ?? task?.total ?? 10, 1).replace(/\.0$/, "")}`);
     const lost = known ? marked.lost : [];
     nothing.hidden = !known || lost.length > 0;
     const key = JSON.stringify(lost);

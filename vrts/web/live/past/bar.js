@@ -45,7 +45,7 @@ export class Bar {
     this.kept = make("span", { class: "past-kept", hidden: true });
     this.hour = make("span");
     this.ago = make("span");
-    this.clock = make("output", { class: "past-clock", id: "past-clock", for: "past-time" }, this.hour, " ", this.ago);
+    this.clock = make("output", { class: "past-clock", id: "past-clock", for: "past-time", "aria-live": "off" }, this.hour, " ", this.ago);
     this.playing = icon("play", "Play the past (space)", wishes.play, "past-play");
     this.jumps = make("select", { id: "past-jump", "aria-label": "What to jump to" }, ...Object.entries(JUMPS)
       .map(([value, [text]]) => make("option", { value, text })));
@@ -110,7 +110,8 @@ export class Bar {
     const value = String(t ?? max);
     if (!this.dragged && this.slider.value !== value) this.slider.value = value;
     const words = t === null ? "live" : ago(now - t);
-    this.slider.setAttribute("aria-valuetext", t === null ? "live" : `${clock(t)}, ${words}`);
+    const said = t === null ? "live" : clock(t); // how long ago changes all the time
+    if (this.slider.getAttribute("aria-valuetext") !== said) this.slider.setAttribute("aria-valuetext", said);
     write(this.hour, clock(t ?? now));
     write(this.ago, words);
     this.slider.setAttribute("aria-busy", String(loading));

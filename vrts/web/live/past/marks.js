@@ -2,7 +2,7 @@
 
 import { BLOCK } from "./blocks.js";
 
-const FARTHEST = 20; // blocks that are looked through for the next mark
+export const FARTHEST = 20; // blocks, of a minute each, that are looked through for the next mark
 const SAME = 0.002; // marks of the same words nearer than this are one [s]
 const TINY = 1e-3; // by which the next one is later [s]
 
@@ -59,21 +59,21 @@ export class Marks {
   }
 
   /**
-   * Return the next mark, or the one before; null when there is none near enough.
+   * Return the next mark, or the one before; without one, whether there may be one farther away.
    * @param {number} t [s] @param {1 | -1} direction @param {keyof typeof JUMPS} jump @param {number} now [s]
-   * @returns {Promise<Mark | null>}
+   * @returns {Promise<{mark?: Mark, far: boolean}>}
    */
   async next(t, direction, jump, now) {
     const fits = JUMPS[jump][1];
     let number = Math.floor(t / BLOCK);
     for (let looked = 0; looked < FARTHEST; looked++, number += direction) {
       const [from, to] = [number * BLOCK, (number + 1) * BLOCK];
-      if (number < 0 || from > now || to <= this.blocks.reaches) return null;
+      if (number < 0 || from > now || to <= this.blocks.reaches) return { far: false };
       await this.blocks.fetched(number);
       const marks = this.between(from, to, jump === "line").filter((mark) => fits(mark.kind));
-      const found = direction > 0 ? marks.find((mark) => mark.t > t + TINY) : marks.findLast((mark) => mark.t < t - TINY);
-      if (found) return found;
+      const mark = direction > 0 ? marks.find((one) => one.t > t + TINY) : marks.findLast((one) => one.t < t - TINY);
+      if (mark) return { mark, far: false };
     }
-    return null;
+    return { far: true };
   }
 }

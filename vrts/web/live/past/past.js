@@ -3,11 +3,12 @@
 import { components } from "../../viewer/poses.js";
 import { byId, make, write } from "../dom.js";
 import { MOVING, RUNNING } from "../frame.js";
+import { withAlt } from "../keys.js";
 import { backToLive, look, lookedAt, onLook, tellThen } from "../looking.js";
 import { Bar, ago } from "./bar.js";
 import { BLOCK, Blocks } from "./blocks.js";
 import { goOnFrom } from "./branch.js";
-import { Marks } from "./marks.js";
+import { FARTHEST, Marks } from "./marks.js";
 
 const AHEAD = 10; // of what is played the next block is fetched so early [s]
 const LAST = 0.4; // nearer to now than this is live, when the past is played [s]
@@ -30,6 +31,7 @@ export function mountPast({ store, world, toasts, connection }) {
     make("button", { type: "button", class: "main past-branch", text: "Go on from here", click: () => void branch() }));
   byId("view").append(sign);
   let playing = false;
+  let jumps = 0; // that were asked for
   let before = 0; // the page's clock at the last frame [ms]
   let drawn = -Infinity; // when marks were drawn last [ms]
   /** @type {ReturnType<import("./blocks.js").Block["at"]> | null} */
@@ -61,15 +63,16 @@ export function mountPast({ store, world, toasts, connection }) {
 
   /** @param {1 | -1} direction */
   async function jump(direction) {
-    const from = lookedAt() ?? world.now;
-    const found = await marks.next(from, direction, bar.jumps.value, world.now);
-    if ((lookedAt() ?? world.now) < from - 0.5 && direction > 0) return; // somebody has gone elsewhere meanwhile
+    const at = lookedAt();
+    const jumped = ++jumps;
     playing = false;
-    if (found) {
-      look(found.t);
-      toasts.tell(found.text);
-    } else if (direction > 0 && lookedAt() !== null) backToLive();
-    else toasts.tell("nothing of this kind happened in the twenty minutes before");
+    const { mark, far } = await marks.next(at ?? world.now, direction, bar.jumps.value, world.now);
+    if (jumped !== jumps || lookedAt() !== at) return; // somebody has gone elsewhere meanwhile
+    if (mark) {
+      look(mark.t);
+      toasts.tell(mark.text);
+    } else if (direction > 0 && at !== null && !far) backToLive();
+    else toasts.tell(`nothing of this kind in the ${FARTHEST} minutes ${direction > 0 ? "after" : "before"}`);
   }
 
   onLook((t) => {
@@ -90,7 +93,7 @@ export function mountPast({ store, world, toasts, connection }) {
     if (!alive) backToLive();
   });
   document.addEventListener("keydown", (event) => {
-    if (event.code === "KeyL" && event.altKey && !event.ctrlKey && !event.metaKey) {
+    if (withAlt(event) === "KeyL") {
       event.preventDefault();
       backToLive();
     }

@@ -32,7 +32,7 @@ export function mountMeasure({ store, world, pointer }) {
     const pick = button("Pick", () => wait(waits === i ? null : i), { "aria-label": `Pick in the picture: ${name}`, "aria-pressed": "false" });
     return { list, pick, row: make("div", { class: "row" }, make("label", { for: list.id }, name, list), pick) };
   });
-  const said = make("output", { class: "measured", id: "measured", for: "measure-from measure-to" });
+  const said = make("output", { class: "measured", id: "measured", for: "measure-from measure-to", "aria-live": "off" });
   const box = make("details", { class: "block", toggle: show }, make("summary", { text: "Measure" }), ...ends.map(({ row }) => row), said);
 
   /** @param {number | null} end */
