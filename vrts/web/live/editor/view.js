@@ -72,7 +72,7 @@ export function makeView(host, help, told) {
       { key: "Mod-.", run: fixHere },
     ])),
     keymap.of([...closeBracketsKeymap, ...completionKeymap, ...lintKeymap, ...searchKeymap, ...historyKeymap,
-      ...defaultKeymap.filter(({ key }) => key !== "Alt-l"), // it leads back to live
+      ...defaultKeymap.filter((/** @type {any} */ { key }) => key !== "Alt-l"), // it leads back to live
       { key: "Tab", run: insertTab, shift: indentLess }]),
     EditorView.updateListener.of(told.changed),
   ];
