@@ -33,7 +33,16 @@ from vrts.run_files.loading import check_again, load_run
 from vrts.run_files.saving import saved_bytes
 from vrts.run_files.simulated import simulate
 
-FILES = (file_of(busy), file_of(carrying))
+
+class Saved(bytes):
+    """A saved run, named by its length where Hypothesis tells of an example."""
+
+    def __repr__(self) -> str:
+        """Return its length."""
+        return f"<saved run of {len(self)} bytes>"
+
+
+FILES = (Saved(file_of(busy)), Saved(file_of(carrying)))
 CODES = {"V540", "V541", "V542", "V543"}
 BODIES = st.lists(
     st.sampled_from(
