@@ -3215,5 +3215,6 @@ PATCHES: tuple[Patch, ...] = (
         "return _WALL_S + (time.clock_gettime(_BOOT) - _BOOT_S)",
         "return time.time()",
         ("tests/unit/live/rooms/test_clock_steps.py",),
+        thorough=True,
     ),
 )
