@@ -29,7 +29,7 @@ FEW = 1_000  # states
 MOST = 20_000  # of programs that are made to be looked at
 SCENARIOS = 8  # of each of these; tests/bench tries many more
 ALONE = robot_alone()
-USUAL, MANY = range(30), [pytest.param(k, marks=pytest.mark.thorough) for k in range(30, 110)]
+USUAL, MANY = range(30), [pytest.param(k, marks=pytest.mark.thorough) for k in range(30, 80)]
 DEAR = (3, 16)  # of the programs that are drawn, those whose search takes seconds
 DRAWN = [pytest.param(k, marks=pytest.mark.thorough) if k in DEAR else k for k in USUAL]
 

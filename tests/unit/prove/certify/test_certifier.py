@@ -18,7 +18,7 @@ USUAL = range(30)
 DEAR = 503  # which takes seconds
 SHARED, FUTURES = [k for k in range(500, 508) if k != DEAR], 8
 MORE = [pytest.param(k, marks=pytest.mark.thorough) for k in (DEAR, *range(508, 530))]
-MANY = [pytest.param(k, marks=pytest.mark.thorough) for k in range(30, 110)]
+MANY = [pytest.param(k, marks=pytest.mark.thorough) for k in range(30, 80)]
 
 
 def certified(given: Carried, certifier: Certifier | None = None) -> Driven:
