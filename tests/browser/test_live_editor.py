@@ -51,14 +51,6 @@ def write(person: Desk, text: str) -> None:
     person.until(f"{TEXT} === {text!r}")
 
 
-# what would mend a mistake comes after the mistake itself
-MENDABLE = """import("/web/vendor/codemirror/lint.js").then(({ forEachDiagnostic }) => {
-  const found = [];
-  forEachDiagnostic(editing.view.state, ({ actions }) => found.push(...actions));
-  return found.length > 0;
-})"""
-
-
 def at(person: Desk, words: str) -> None:
     """Put the cursor behind some words, as an arrow key would."""
     line = f"{TEXT}.indexOf({words!r}) + {len(words)}"
@@ -76,7 +68,6 @@ def test_a_program_is_written_with_help_saved_and_run(browser: Browser, server: 
     write(anna, WRONG)
     anna.until(f"({MISTAKES}).startsWith('1 mistake')")
     anna.until(f"{SHADOW}.querySelector('.cm-lintRange-error').textContent === 'MOVEE'")
-    anna.until(MENDABLE)
     at(anna, "MOVEE")
     keyboard.press("ControlOrMeta+.")
     anna.until(f"{TEXT}.includes('10 MOVE #')")

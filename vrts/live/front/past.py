@@ -1,7 +1,6 @@
 """The past of a room's session over HTTP: blocks that a browser plays by itself."""
 
 import gzip
-from collections.abc import Awaitable, Callable
 
 from starlette.requests import Request
 from starlette.responses import Response
@@ -10,9 +9,7 @@ from vrts.live.front.guard import refused
 from vrts.live.lasting.clock import steady
 from vrts.live.refusal import NotObeyed
 from vrts.live.rooms.hub import Hub
-from vrts.live.store.accounts import Account
-
-Who = Callable[[dict[str, str]], Awaitable[Account | None]]
+from vrts.live.store.accounts import Who
 
 
 class PastPages:

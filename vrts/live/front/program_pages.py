@@ -2,7 +2,6 @@
 
 import time
 from collections import OrderedDict
-from collections.abc import Awaitable, Callable
 from typing import Final, Literal, NamedTuple
 
 from starlette.requests import Request
@@ -23,7 +22,7 @@ from vrts.live.protocol.over_programs import (
 )
 from vrts.live.rooms.hub import Hub
 from vrts.live.store import programs
-from vrts.live.store.accounts import Account
+from vrts.live.store.accounts import Account, Who
 from vrts.live.store.database import Connection
 from vrts.live.store.programs import (
     GuestsTogether,
@@ -50,8 +49,6 @@ FULL_GUESTS: Final = (
     "the programs of all guests take all the place that there is",
     "download yours, and ask the supervisor to delete some",
 )
-
-Who = Callable[[dict[str, str]], Awaitable[Account | None]]
 
 
 class _Place(NamedTuple):

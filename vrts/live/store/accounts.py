@@ -2,7 +2,7 @@
 
 import json
 import sqlite3
-from collections.abc import Iterable
+from collections.abc import Awaitable, Callable, Iterable
 from typing import Final, NamedTuple
 
 from vrts.live.names import display_name
@@ -23,6 +23,9 @@ class Account(NamedTuple):
     name: str
     supervisor: bool
     room: str | None  # the only one that may be entered
+
+
+Who = Callable[[dict[str, str]], Awaitable[Account | None]]  # whose cookies these are
 
 
 def add_account(

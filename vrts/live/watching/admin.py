@@ -1,7 +1,6 @@
 """The admin page's numbers over HTTP: for supervisors who have an account of their own."""
 
 import time
-from collections.abc import Awaitable, Callable
 from typing import Final
 
 import msgspec
@@ -9,7 +8,7 @@ from starlette.requests import Request
 from starlette.responses import Response
 
 from vrts.live.rooms.hub import Hub
-from vrts.live.store.accounts import Account
+from vrts.live.store.accounts import Who
 from vrts.live.watching.health import HealthPage
 from vrts.live.watching.log_tail import follow_log
 from vrts.live.watching.machine import Machine
@@ -21,8 +20,6 @@ REFUSED: Final = {
     "text": "only a supervisor with an account of their own sees this page",
     "help": "make one with `vrts serve --folder FOLDER --add-user NAME --supervisor`, and log in",
 }
-
-Who = Callable[[dict[str, str]], Awaitable[Account | None]]
 
 
 class AdminPage:
