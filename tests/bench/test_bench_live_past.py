@@ -8,6 +8,7 @@ server asks for each minute once, here everybody asks anew, as fast as there are
 import random
 import statistics
 import time
+from contextlib import closing
 from pathlib import Path
 
 from tests.bench.test_bench_live_session import LOOP
@@ -39,7 +40,7 @@ def measured(driven: Driven, people: int) -> tuple[list[float], list[Looked], fl
     tidying = Tidying()
     base = driven.clock_s - time.monotonic()
     begun = time.process_time()
-    with Looker(driven.session, answers.append) as looker:
+    with closing(Looker(driven.session, answers.append)) as looker:
         due = time.monotonic()
         end = due + SECONDS
         while due < end:

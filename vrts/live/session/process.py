@@ -8,6 +8,7 @@ import hashlib
 import select
 import time
 from collections.abc import Callable
+from contextlib import closing
 from pathlib import Path
 
 import msgspec
@@ -93,8 +94,11 @@ def _serve(inbox: Inbox, outbox: Outbox, readable: int, clock: Clock) -> int:
     said = (model.name, digest(model))
     outbox.send(Ready(start.session, session.epoch_s, arm, scene, title, carried_s, anew, *said))
     tidying = Tidying()
-    checking, looking = Checker(session), Looker(session, outbox.send)
-    with checking as checker, looking as looker, Ways(session, outbox.send, clock) as ways:
+    with (
+        closing(Checker(session)) as checker,
+        closing(Looker(session, outbox.send)) as looker,
+        closing(Ways(session, outbox.send, clock)) as ways,
+    ):
         beats = Beats(clock())
         while not inbox.ended:
             for order in orders:

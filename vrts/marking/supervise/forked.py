@@ -14,7 +14,7 @@ import time
 import traceback
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import NoReturn
+from typing import NamedTuple, NoReturn
 
 from vrts.base.workers import end_with
 from vrts.marking.supervise.limits import Limits, impose
@@ -23,6 +23,14 @@ LOG = "child.log"
 FAILED, NO_MEMORY = 70, 71  # exit statuses
 _CHUNK = 1 << 16
 _SELDOM = 100_000  # objects made, and not yet gone, between looks for rings of dead ones
+
+
+class Ends(NamedTuple):
+    """What is open in a child, as the numbers it has in the parent, which closes its own."""
+
+    tell: int  # keeps its number: where it answers
+    log: int  # its output, and what it complains of
+    asked: int | None = None  # its input; None: an empty one
 
 
 class ForkedProcess:
@@ -38,17 +46,9 @@ class ForkedProcess:
         self.status: int | None = None  # wait status
         self.peak = 0  # bytes of memory in use at most, known when it is over
         self._ours, theirs = os.pipe()
-        sys.stdout.flush()
-        sys.stderr.flush()
-        gc.freeze()  # what is loaded is not copied by the children's garbage collection
-        parent = os.getpid()
         # opened here: when the parent is interrupted it takes the folder away at once
         log = os.open(self.log, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600)
-        self.pid = os.fork()
-        if self.pid == 0:
-            _be_child(work, log, theirs, limits, parent)
-        os.close(log)
-        os.close(theirs)
+        self.pid = start(lambda: write(theirs, work()), Ends(theirs, log), limits)
         os.set_blocking(self._ours, False)
 
     def fileno(self) -> int:
@@ -113,13 +113,32 @@ def wait(processes: Sequence[ForkedProcess], seconds: float) -> None:
     select.select(processes, [], [], seconds)
 
 
-def _be_child(
-    work: Callable[[], bytes], log: int, out: int, limits: Limits, parent: int
-) -> NoReturn:
-    """Work, answer and leave without ever returning to the parent's code."""
+def start(work: Callable[[], object], ends: Ends, limits: Limits) -> int:
+    """Fork a child that does its work and ends, at the latest with its parent.
+
+    Nothing else that the parent has open is open in it. Exit status 0: it has done its work.
+
+    Returns:
+        Its number; it leads a group of its own.
+    """
+    sys.stdout.flush()
+    sys.stderr.flush()
+    gc.freeze()  # what is loaded is not copied by the children's garbage collection
+    parent = os.getpid()
+    pid = os.fork()
+    if pid == 0:
+        _be_child(work, ends, limits, parent)
+    for end in ends:
+        if end is not None:
+            os.close(end)
+    return pid
+
+
+def _be_child(work: Callable[[], object], ends: Ends, limits: Limits, parent: int) -> NoReturn:
+    """Work and leave without ever returning to the parent's code."""
     status = FAILED
     try:
-        _redirect(log, out)  # first: whatever goes wrong is no business of the terminal's
+        _redirect(ends)  # first: whatever goes wrong is no business of the terminal's
         os.setsid()
         if not end_with(parent):
             os._exit(FAILED)
@@ -128,9 +147,7 @@ def _be_child(
         impose(limits)
         faulthandler.enable(2)
         gc.set_threshold(_SELDOM)
-        data = work()
-        while data:
-            data = data[os.write(out, data) :]
+        work()
         status = 0
     except MemoryError:
         status = NO_MEMORY
@@ -144,12 +161,19 @@ def _be_child(
             os._exit(status)
 
 
-def _redirect(log: int, out: int) -> None:
-    """Leave nothing open but an empty input, the log, and the way to the parent."""
-    null = os.open(os.devnull, os.O_RDONLY)
-    os.dup2(null, 0)
-    os.dup2(log, 1)
-    os.dup2(log, 2)
+def write(out: int, data: bytes) -> None:
+    """Write all of it."""
+    left = memoryview(data)
+    while left:
+        left = left[os.write(out, left) :]
+
+
+def _redirect(ends: Ends) -> None:
+    """Leave nothing open but the input, the log, and the way to the parent."""
+    asked = os.open(os.devnull, os.O_RDONLY) if ends.asked is None else ends.asked
+    os.dup2(asked, 0)
+    os.dup2(ends.log, 1)
+    os.dup2(ends.log, 2)
     sys.stdout = sys.stderr = open(2, "w", errors="backslashreplace", closefd=False)  # noqa: SIM115
-    os.closerange(3, out)
-    os.closerange(out + 1, 4096)
+    os.closerange(3, ends.tell)
+    os.closerange(ends.tell + 1, 4096)

@@ -1,6 +1,7 @@
 """What one process may use. The engine's own limits decide marks; these only protect the others."""
 
 import math
+import os
 import sys
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -20,6 +21,7 @@ class Limits:
     file: int = 64_000_000  # bytes of any file it writes
     files: int = 256  # open at once
     answer: int = 8_000_000  # bytes of its answer
+    niceness: int = 0  # beyond its parent's: what may be late to what may not
 
 
 def for_mending(limits: Limits, executions: int) -> Limits:
@@ -52,6 +54,7 @@ def impose(limits: Limits) -> None:
         return  # no such limits there: the watching parent is all there is
     import resource  # Windows has none
 
+    os.nice(limits.niceness)
     memory = _reserved() + limits.memory
     bounds = (
         (resource.RLIMIT_CPU, limits.cpu_s, limits.cpu_s + 2),  # a signal first, which tells why

@@ -1,23 +1,21 @@
 """Blocks of the past made in a child forked from the session, one at a time."""
 
 import base64
-import os
-import tempfile
 from collections import deque
 from collections.abc import Callable
-from pathlib import Path
-from types import TracebackType
 from typing import Final
 
 from vrts.live.session.channel.messages import BLOCK, AskBlock, Looked
 from vrts.live.session.live_session import Session
 from vrts.live.session.looking.block import block_bytes
-from vrts.live.session.marks.checker import FORKS, NICENESS
-from vrts.marking.supervise.forked import ForkedProcess
+from vrts.live.session.marks.checker import NICENESS
+from vrts.marking.supervise.aside import Aside
 from vrts.marking.supervise.limits import Limits
 
 MOST_WAITING: Final = 64  # questions
-LIMITS: Final = Limits(cpu_s=30, wall_s=60.0, memory=500_000_000, answer=8_000_000)
+LIMITS: Final = Limits(
+    cpu_s=30, wall_s=60.0, memory=500_000_000, answer=8_000_000, niceness=NICENESS
+)
 FORGOTTEN: Final = "this part of the past is forgotten"
 TO_COME: Final = "this has not happened yet"
 FAILED: Final = "this part of the past could not be worked out"
@@ -31,27 +29,13 @@ class Looker:
         """Look at the past of a session; `send` takes the answers."""
         self._session = session
         self._send = send
-        self._folder = tempfile.TemporaryDirectory()
+        self._aside = Aside(LIMITS)
         self._waiting: deque[AskBlock] = deque()
         self._asked: tuple[AskBlock, float] | None = None  # and how far the session had come
-        self._child: ForkedProcess | None = None
 
-    def __enter__(self) -> "Looker":
-        """Begin."""
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        problem: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def close(self) -> None:
         """End with the session."""
-        if self._child is not None:
-            self._child.kill()
-            while not self._child.ended():
-                pass
-        self._folder.cleanup()
+        self._aside.close()
 
     def ask(self, order: AskBlock) -> None:
         """Take a question."""
@@ -68,25 +52,20 @@ class Looker:
 
     def beat(self) -> None:
         """Pass the answer on that has come, and begin with the next question."""
-        if self._child is not None:
-            if not self._child.ended():
-                return
-            self._answered(self._child.answer)
-            self._child = None
-        if not self._waiting:
+        self._take()
+        if self._aside.busy or not self._waiting:
             return
         order = self._waiting.popleft()
         growing = self._session.growing
         self._asked = (order, growing.time_s)
-        if FORKS:
-            growing.drop_run()
-            self._child = ForkedProcess(self._work_aside, Path(self._folder.name), LIMITS)
-        else:
-            self._answered(self._work())
+        growing.drop_run()
+        self._aside.begin(self._work)
+        self._take()
 
-    def _work_aside(self) -> bytes:
-        os.nice(NICENESS)  # frames come first
-        return self._work()
+    def _take(self) -> None:
+        done = self._aside.take()
+        if done is not None:
+            self._answered(done.answer)
 
     def _work(self) -> bytes:
         """Return the block that is asked for; no bytes: it is forgotten."""

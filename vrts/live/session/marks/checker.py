@@ -6,13 +6,7 @@ grasps hold: what may touch whom depends on how it was grasped.
 """
 
 import math
-import os
-import sys
-import tempfile
-import time
 from collections.abc import Iterable, Mapping, Sequence
-from pathlib import Path
-from types import TracebackType
 from typing import NamedTuple
 
 import msgspec
@@ -28,7 +22,7 @@ from vrts.live.session.growing.tidying import tidy
 from vrts.live.session.live_session import Session
 from vrts.live.session.marks.public_mark import Judged, PublicMark, judged
 from vrts.live.session.operator.motions import instructed
-from vrts.marking.supervise.forked import ForkedProcess
+from vrts.marking.supervise.aside import FORKS, Aside
 from vrts.marking.supervise.limits import Limits
 from vrts.monitor.desk import ALONE
 from vrts.pipeline.setting import Setting
@@ -39,11 +33,10 @@ PAUSE = 1.0  # [s] of session time between checks
 STRETCH = 300.0  # [s] of session time that is checked at once at most, as after a restart
 REST = 40.0  # times as long as a check took is waited at least: ten sessions share the machine
 LONGEST_PAUSE = 10.0  # [s]
-NICENESS = 10  # of checks, which may be late, to frames, which may not
+NICENESS = 10  # of what may be late, such as checks, to frames, which may not
 BEFORE = 0.1  # [s] before a hand begins to close
 CLOSING = 10.0  # [s], longer than any hand takes to close
-LIMITS = Limits(cpu_s=60, wall_s=120.0, memory=1_000_000_000)
-FORKS = sys.platform != "win32"
+LIMITS = Limits(cpu_s=60, wall_s=120.0, memory=1_000_000_000, niceness=NICENESS)
 
 
 class _Segments(NamedTuple):
@@ -74,43 +67,25 @@ class Found(msgspec.Struct, frozen=True):
 class Checker:
     """Checks what a session does, some time after it was done."""
 
-    def __init__(self, session: Session) -> None:
-        """Check from the beginning of a session."""
+    def __init__(self, session: Session, *, forks: bool = FORKS) -> None:
+        """Check from the beginning of a session; `forks`: whether there are children."""
         self._session = session
-        self._folder = tempfile.TemporaryDirectory()
-        self.child: ForkedProcess | None = None  # checks now
+        self.aside = Aside(LIMITS, forks=forks)
         self._asked = (0.0, 0)  # until when, and of which growing run
         self._looked_s = 0.0
         self._pause = PAUSE
         self._mark = PublicMark(session)
         self._judges = False  # whether the mark was asked for
 
-    def __enter__(self) -> "Checker":
-        """Begin."""
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        problem: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def close(self) -> None:
         """End with the session."""
-        if self.child is not None:
-            self.child.kill()
-            while not self.child.ended():
-                pass
-        self._folder.cleanup()
+        self.aside.close()
 
     def beat(self) -> None:
         """Take the answer that has come, and ask for what is new, if it is time."""
-        if self.child is not None:
-            if not self.child.ended():
-                return
-            judging_s = self._answered(self.child.answer)
-            took_s = time.monotonic() - self.child.started - judging_s
-            self._pause = min(max(PAUSE, REST * took_s), LONGEST_PAUSE)
-            self.child = None
+        self._take()
+        if self.aside.busy:
+            return
         showing, growing = self._session.showing, self._session.growing
         since = growing.time_s - self._looked_s
         if 0.0 <= since < self._pause:
@@ -125,17 +100,17 @@ class Checker:
         self._judges = until_s == growing.time_s and self._mark.due
         if self._judges:
             self._mark.asked()
-        if FORKS:
-            growing.drop_run()
-            tidy()  # forking freezes what there is, garbage too
-            self.child = ForkedProcess(self._check_aside, Path(self._folder.name), LIMITS)
-        else:
-            self._answered(self._check())
+        growing.drop_run()
+        tidy()  # forking freezes what there is, garbage too
+        self.aside.begin(self._check)
+        self._take()
 
-    def _check_aside(self) -> bytes:
-        """Check what is new, in the child."""
-        os.nice(NICENESS)
-        return self._check()
+    def _take(self) -> None:
+        """Take the answer, if it has come, and rest from it."""
+        done = self.aside.take()
+        if done is not None:
+            checking_s = done.took_s - self._answered(done.answer)
+            self._pause = min(max(PAUSE, REST * checking_s), LONGEST_PAUSE)
 
     def _check(self) -> bytes:
         """Check what is new."""

@@ -8,16 +8,15 @@ import time
 from collections import OrderedDict
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from types import TracebackType
 from typing import Final
 
 import msgspec
 
 from vrts.live.session.channel.messages import AskReach, Reached
 from vrts.live.session.live_session import Session
-from vrts.live.session.marks.checker import FORKS
 from vrts.live.session.ways.way import Asked, Found, asked_of, find
 from vrts.live.session.ways.worker import TooLong, Worker
+from vrts.marking.supervise.aside import FORKS
 
 MOST_WAITING: Final = 32  # askers
 SHARE: Final = 0.5  # of a processor at most
@@ -71,16 +70,7 @@ class Ways:
         self._next_s = 0.0  # before this no question is passed on
         self.worker: Worker | None = None
 
-    def __enter__(self) -> "Ways":
-        """Begin."""
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        problem: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def close(self) -> None:
         """End with the session."""
         self._end()
 

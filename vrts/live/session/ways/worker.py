@@ -4,21 +4,19 @@ It has everything loaded that the session has, and knows the scene as it was whe
 scenes never change. What changes comes with the question.
 """
 
-import gc
 import os
 import pickle
 import signal
-import sys
 from collections.abc import Callable
 from contextlib import suppress
-from typing import Any, Final, NoReturn
+from typing import Any, Final
 
-from vrts.base.workers import end_with
-from vrts.marking.supervise.limits import Limits, impose
+from vrts.live.session.marks.checker import NICENESS
+from vrts.marking.supervise import forked
+from vrts.marking.supervise.limits import Limits
 
 LONGEST: Final = 60_000  # bytes of a question: less than a pipe takes without anybody reading
-LIMITS: Final = Limits(cpu_s=3600, memory=500_000_000)
-NICENESS: Final = 10  # of answers, which may be late, to frames, which may not
+LIMITS: Final = Limits(cpu_s=3600, memory=500_000_000, niceness=NICENESS)
 _HEAD: Final = 4  # bytes of a length
 _CHUNK: Final = 1 << 16
 
@@ -34,13 +32,9 @@ class Worker:
         """Start it; `work` answers a question there."""
         asked, self._ask = os.pipe()
         self._told, tell = os.pipe()
-        gc.freeze()  # what is loaded is not copied by the child's garbage collection
-        parent = os.getpid()
-        self.pid = os.fork()
-        if self.pid == 0:
-            _be_child(work, asked, tell, parent)
-        os.close(asked)
-        os.close(tell)
+        log = os.open(os.devnull, os.O_WRONLY)
+        ends = forked.Ends(tell, log, asked)
+        self.pid = forked.start(lambda: _answer(work, tell), ends, LIMITS)
         os.set_blocking(self._told, False)
         self._come = bytearray()
         self.lost = False
@@ -86,37 +80,12 @@ class Worker:
         os.close(self._told)
 
 
-def _be_child(work: Callable[[Any], object], asked: int, tell: int, parent: int) -> NoReturn:
-    """Answer until nobody asks any more, and never return to the session's code."""
-    status = 1
-    try:
-        _keep_only(asked, tell)
-        os.setsid()
-        signal.signal(signal.SIGTERM, signal.SIG_DFL)
-        if end_with(parent):
-            impose(LIMITS)
-            os.nice(NICENESS)
-            while head := _read(0, _HEAD):
-                question = pickle.loads(_read(0, int.from_bytes(head, "little")))  # noqa: S301
-                data = pickle.dumps(work(question))
-                data = len(data).to_bytes(_HEAD, "little") + data
-                while data:
-                    data = data[os.write(1, data) :]
-        status = 0
-    except BrokenPipeError:  # nobody is there any more
-        status = 0
-    finally:
-        os._exit(status)
-
-
-def _keep_only(asked: int, tell: int) -> None:
-    """Leave nothing open but what is asked, where it is told, and an end for complaints."""
-    os.dup2(asked, 0)
-    os.dup2(tell, 1)
-    null = os.open(os.devnull, os.O_WRONLY)
-    os.dup2(null, 2)
-    sys.stdout = sys.stderr = open(2, "w", errors="backslashreplace", closefd=False)  # noqa: SIM115
-    os.closerange(3, 4096)
+def _answer(work: Callable[[Any], object], tell: int) -> None:
+    """Answer until nobody asks any more."""
+    while head := _read(0, _HEAD):
+        question = pickle.loads(_read(0, int.from_bytes(head, "little")))  # noqa: S301
+        data = pickle.dumps(work(question))
+        forked.write(tell, len(data).to_bytes(_HEAD, "little") + data)
 
 
 def _read(end: int, most: int) -> bytes:

@@ -8,5 +8,6 @@ PATIENCE = 60.0  # [s] on a busy machine
 
 def answered(checker: Checker) -> None:
     """Return when what is being checked has its answer; the next beat takes it."""
-    while checker.child is not None and not checker.child.ended():
-        wait([checker.child], PATIENCE)
+    child = checker.aside.child
+    while child is not None and not child.ended():
+        wait([child], PATIENCE)

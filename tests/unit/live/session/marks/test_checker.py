@@ -2,6 +2,7 @@
 
 import subprocess
 import sys
+from contextlib import closing
 from pathlib import Path
 
 import pytest
@@ -37,10 +38,9 @@ def carry_into_things(driven: Driven, checker: Checker) -> None:
 def test_pieces_tell_what_the_whole_tells(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, *, forks: bool
 ) -> None:
-    monkeypatch.setattr("vrts.live.session.marks.checker.FORKS", forks)
     monkeypatch.setattr("vrts.live.session.marks.checker.REST", 0.0)
     driven = Driven(tmp_path)
-    with Checker(driven.session) as checker:
+    with closing(Checker(driven.session, forks=forks)) as checker:
         carry_into_things(driven, checker)
         finish(driven, checker)
     report = check_collisions(driven.session.setting.scene, driven.session.run)
@@ -106,7 +106,7 @@ def test_checks_rest_the_longer_the_longer_they_take(
 ) -> None:
     monkeypatch.setattr("vrts.live.session.marks.checker.REST", rest)
     driven = Driven(tmp_path)
-    with Checker(driven.session) as checker:
+    with closing(Checker(driven.session)) as checker:
         driven.act(do.Go((0.75, -0.15, 0.0), DOWN))
         first_s = checked_after(1.1, driven, checker)
         assert first_s == pytest.approx(1.1)

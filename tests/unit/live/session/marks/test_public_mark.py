@@ -2,6 +2,7 @@
 
 import re
 import shutil
+from contextlib import closing
 from pathlib import Path
 
 import msgspec
@@ -55,11 +56,10 @@ def until(driven: Driven, checker: Checker, mark: float | None) -> None:
 def test_it_follows_what_is_done_and_begins_anew_with_a_reset(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, *, forks: bool
 ) -> None:
-    monkeypatch.setattr("vrts.live.session.marks.checker.FORKS", forks)
     monkeypatch.setattr("vrts.live.session.marks.checker.REST", 0.0)
     monkeypatch.setattr("vrts.live.session.marks.public_mark.REST", 0.0)
     driven = Driven(tmp_path, "", task=str(EXAMPLE / "task.toml"))
-    with Checker(driven.session) as checker:
+    with closing(Checker(driven.session, forks=forks)) as checker:
         until(driven, checker, 0.0)
         solution = (EXAMPLE / "solution.v2").read_text()
         driven.act(do.Upload("solution.v2", solution))
@@ -74,8 +74,7 @@ def test_it_follows_what_is_done_and_begins_anew_with_a_reset(
         until(driven, checker, 0.0)
 
 
-def test_hidden_checks_do_not_appear(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("vrts.live.session.marks.checker.FORKS", False)
+def test_hidden_checks_do_not_appear(tmp_path: Path) -> None:
     shutil.copytree(EXAMPLE, tmp_path / "task")
     (tmp_path / "task/staff").mkdir()
     (tmp_path / "task/staff/task.toml").write_text(HIDDEN)
@@ -86,24 +85,21 @@ def test_hidden_checks_do_not_appear(tmp_path: Path, monkeypatch: pytest.MonkeyP
     driven = Driven(tmp_path / "session", "", task=str(tmp_path / "task/task.toml"))
     assert driven.session.setting.task is not None
     assert not driven.session.setting.task.demands
-    with Checker(driven.session) as checker:
+    with closing(Checker(driven.session, forks=False)) as checker:
         driven.act(do.Upload("solution.v2", (EXAMPLE / "solution.v2").read_text()))
         driven.typed("EXECUTE main", seconds=0.1)
         until(driven, checker, 10.0)
 
 
-def test_without_a_task_or_with_a_part_forgotten_there_is_none(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr("vrts.live.session.marks.checker.FORKS", False)
+def test_without_a_task_or_with_a_part_forgotten_there_is_none(tmp_path: Path) -> None:
     driven = Driven(tmp_path)
-    with Checker(driven.session) as checker:
+    with closing(Checker(driven.session, forks=False)) as checker:
         driven.typed("DO READY", seconds=3.0)
         checker.beat()
         assert driven.session.showing.mark is None
     (tmp_path / "other").mkdir()
     driven = Driven(tmp_path / "other", "", task=str(EXAMPLE / "task.toml"))
-    with Checker(driven.session) as checker:
+    with closing(Checker(driven.session, forks=False)) as checker:
         until(driven, checker, 0.0)
         driven.session.growing.known_from_s = 0.5
         driven.run(2.0)
@@ -118,7 +114,7 @@ def test_every_lost_point_is_told_in_the_words_of_the_report(
     monkeypatch.setattr("vrts.live.session.marks.public_mark.REST", 0.0)
     program = EXAMPLE / "submissions/hits-base.v2"
     driven = Driven(tmp_path, "", task=str(EXAMPLE / "task.toml"))
-    with Checker(driven.session) as checker:
+    with closing(Checker(driven.session)) as checker:
         driven.act(do.Upload("hits.v2", program.read_text()))
         driven.run(0.1)
         started_s = driven.session.growing.time_s
@@ -153,14 +149,13 @@ def shifted(sentence: str) -> str:
 def test_nothing_hidden_is_in_what_leaves_the_session(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("vrts.live.session.marks.checker.FORKS", False)
     monkeypatch.setattr("vrts.live.session.marks.public_mark.REST", 0.0)
     shutil.copytree(EXAMPLE, tmp_path / "task")
     (tmp_path / "task/staff").mkdir()
     (tmp_path / "task/staff/task.toml").write_text(SECRETS)
     (tmp_path / "session").mkdir()
     driven = Driven(tmp_path / "session", "", task=str(tmp_path / "task/task.toml"))
-    with Checker(driven.session) as checker:
+    with closing(Checker(driven.session, forks=False)) as checker:
         driven.act(do.Upload("hits.v2", (EXAMPLE / "submissions/hits-base.v2").read_text()))
         driven.typed("EXECUTE main", seconds=0.1)
         until(driven, checker, 7.0)

@@ -6,6 +6,7 @@ import select
 import signal
 import time
 from collections.abc import Iterator
+from contextlib import closing
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -50,7 +51,7 @@ class Asking:
 @pytest.fixture
 def asking(tmp_path: Path) -> Iterator[Asking]:
     asking = Asking(Driven(tmp_path))
-    with asking.ways:
+    with closing(asking.ways):
         yield asking
 
 
@@ -140,6 +141,6 @@ def test_the_child_ends_when_nobody_asks_for_long(asking: Asking) -> None:
 
 def test_without_a_child_the_session_answers(tmp_path: Path) -> None:
     told: list[Reached] = []
-    with Ways(Driven(tmp_path).session, told.append, forks=False) as ways:
+    with closing(Ways(Driven(tmp_path).session, told.append, forks=False)) as ways:
         ways.ask(AskReach(1, INSIDE, DOWN))
     assert [(r.ref, r.way) for r in told] == [(1, "touches")]
