@@ -25,6 +25,7 @@ ROWS: Final = {  # which rows of a table are of somebody; `:account` and `:names
     "log_text": "account=:account",
     "login": "account=:account",
     "muted": "account=:account",
+    "notice": "account=:account",
     "program_version": "account=:account OR shelf='own ' || :account",
 }
 SECRET: Final = frozenset(("password", "digest", "salt", "seal"))  # of no use to a person
@@ -39,7 +40,8 @@ What the server of vrts keeps of {name}
 {line}
 
 person.json        a list for each table of the database: accounts, log-ins, chat, who was muted or
-                   sent away, private rooms, names in rooms. Times are seconds since 1970, UTC.
+                   sent away, announcements and stops, private rooms, names in rooms. Times are
+                   seconds since 1970, UTC.
 log.jsonl          every command that was recorded, with what became of it, one on a line
 programs/          every version of every program that was saved in the page
 files/             the files that the monitor has written, as they are now

@@ -11,6 +11,7 @@ from typing import Any, Final, NamedTuple
 
 from vrts.live.lasting.folder_lock import holder
 from vrts.live.logs.logged_sessions import NO_COMMANDS
+from vrts.live.notices.kept import forget_notices
 from vrts.live.personal.names import Names, accounts_of
 from vrts.live.session.growing.folder import FILE, OFF
 from vrts.live.settings import DATABASE, SESSIONS
@@ -74,6 +75,7 @@ def purge(folder: Path, name: str, key: Path | None, *, mentions: bool = False) 
         rooms = {room for account in accounts for room in _rooms_of(connection, account)}
         for account in accounts:
             purge_programs(connection, account)
+            forget_notices(connection, account)
             log.purge(connection, account)
         left = _forget_name(connection, names, mentions=mentions)
         connection.execute(_EMPTY)
@@ -111,6 +113,8 @@ def _forget_name(connection: Connection, names: Names, *, mentions: bool) -> int
                 "UPDATE chat SET text=? WHERE room=? AND number=?",
                 (names.without(text), room, number),
             )
+    for room, _, text in _holding(connection, names, "notice", "number"):
+        connection.execute("UPDATE notice SET text=? WHERE room=?", (names.without(text), room))
     for number, at, what in connection.execute("SELECT number, at, what FROM log_accepted"):
         if names.stands_in(what):
             new = names.without(what)

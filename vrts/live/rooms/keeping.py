@@ -6,12 +6,13 @@ from collections.abc import Callable
 from typing import Final
 
 from vrts.live.lasting.clock import wall
+from vrts.live.notices.kept import KeptNotice, end_notice, keep_notice
 from vrts.live.protocol.coding import encode
-from vrts.live.protocol.from_server import Chat
+from vrts.live.protocol.from_server import Chat, Stopped
 from vrts.live.rooms.audience import EVERYBODY, Audience
 from vrts.live.rooms.hub import Hub
 from vrts.live.rooms.member import Member
-from vrts.live.rooms.room import Room
+from vrts.live.rooms.room import Asked, Room
 from vrts.live.store import log as store_log
 from vrts.live.store.accounts import Account
 from vrts.live.store.database import Connection
@@ -67,6 +68,23 @@ def stamped(
     """Return a record of the log, stamped now."""
     id_, name = (None, "") if account is None else (account.id, account.name)
     return Entry(room.id, room.session, at_s, wall(), kind, accepted, id_, name, text)
+
+
+def show_stopped(hub: Hub, room: Room, by: Asked) -> None:
+    """Tell everybody who has stopped the arm, also after a restart, until it moves again."""
+    at, role = wall(), room.role_of(by.person)
+    room.stopped = Stopped(at, by.person, by.name, role)
+    room.show(room.stopped)
+    notice = KeptNotice(room.id, 0, at, by.account, by.name, role or "")
+    hub.spawn(keep_soon(hub, lambda connection: keep_notice(connection, notice)))
+
+
+def end_stopped(hub: Hub, room: Room) -> None:
+    """Tell everybody that this is over, if there was anything."""
+    if room.stopped is not None:
+        room.stopped = None
+        room.show(Stopped(0.0))
+        hub.spawn(keep_soon(hub, lambda connection: end_notice(connection, room.id)))
 
 
 async def announce(hub: Hub, room: Room, text: str) -> None:

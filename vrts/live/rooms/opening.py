@@ -2,9 +2,13 @@
 
 from typing import Final
 
+import msgspec
 from msgspec import structs
 
-from vrts.live.protocol.from_server import Chat
+from vrts.live.notices.announcement import Announcement
+from vrts.live.notices.kept import EVERYWHERE, SOMEBODY, notice_of
+from vrts.live.protocol.fields import Role
+from vrts.live.protocol.from_server import Chat, Stopped
 from vrts.live.refusal import NotObeyed
 from vrts.live.rooms.audience import EVERYBODY, Audience
 from vrts.live.rooms.control import ControlRight
@@ -33,6 +37,9 @@ MOST_ROOMS: Final = 64
 async def open_kept(hub: Hub) -> None:
     """Open the rooms that were open when the server ended."""
     hub.muted = await hub.database.do(all_muted)
+    told = await hub.database.do(lambda connection: notice_of(connection, EVERYWHERE))
+    if told is not None:
+        hub.announcement = Announcement(*told[1:3], told.name, told.text, told.account or 0)
     for kept in await hub.database.do(open_rooms):
         await open_room(hub, kept)
 
@@ -59,6 +66,7 @@ async def open_room(hub: Hub, kept: KeptRoom) -> Room:
         room.chat.append((said, _readers(line) if line.private else EVERYBODY))
     room.barred = await hub.database.do(lambda connection: bars_of(connection, kept.id))
     room.branch = await hub.database.do(lambda connection: branch_of(connection, kept.id))
+    room.stopped = await hub.database.do(lambda connection: _stopped(connection, kept.id))
     hub.rooms[kept.id] = room
     if room.branch is None:
         hub.projector = hub.projector or kept.id
@@ -86,6 +94,14 @@ async def change(hub: Hub, room: Room, kept: KeptRoom) -> None:
     await hub.database.do(lambda connection: keep_room(connection, kept))
 
 
+def _stopped(connection: Connection, room: str) -> Stopped | None:
+    """Return who had stopped the arm of a room, and it has not moved since."""
+    kept = notice_of(connection, room)
+    if kept is None:
+        return None
+    return Stopped(kept.at, "", kept.name, msgspec.convert(kept.text or None, Role | None))
+
+
 def _readers(line: Line) -> Audience:
     """Return who may read a private line: its two ends and the supervisors."""
     ends = (line.account, line.reader)
@@ -107,8 +123,12 @@ async def forget_purged(hub: Hub) -> None:
     told = hub.announcement
     if told is not None:
         there = await hub.database.do(lambda connection: existing(connection, (told.account,)))
+        row = await hub.database.do(lambda connection: notice_of(connection, EVERYWHERE))
         if not there and hub.announcement is told:
             hub.announcement = None
+            hub.show_announcement()
+        elif row is not None and row.number == told.id and row.text != told.text:
+            told.text = row.text
             hub.show_announcement()
     names = {kept.id: kept.name for kept in await hub.database.do(open_rooms)}
     for room in list(hub.rooms.values()):
@@ -118,6 +138,9 @@ async def forget_purged(hub: Hub) -> None:
         there = {(note.at_s, note.name) for note in kept}
         room.notes = [n for n in room.notes if n not in noted or (n.at_s, n.name) in there]
         room.have_said(_left(room, said))
+        stop = await hub.database.do(lambda connection, room=room: notice_of(connection, room.id))
+        if stop is not None and room.stopped is not None and stop.name == SOMEBODY:
+            room.forget(room.stopped.name)
         room.kept = room.kept._replace(name=names.get(room.id, room.kept.name))
     hub.purges = count  # not before all is forgotten: what fails is done again
     hub.rooms_changed()

@@ -12,6 +12,7 @@ from msgspec import structs
 from vrts.live.door import binary_frame, text_frame
 from vrts.live.lasting.clock import steady, wall
 from vrts.live.looking.blocks import Blocks
+from vrts.live.notices.kept import SOMEBODY
 from vrts.live.protocol.coding import encode
 from vrts.live.protocol.fields import Role
 from vrts.live.protocol.from_server import (
@@ -153,6 +154,9 @@ class Room:
             if line.name != name
         ]
         self.notes = [note for note in self.notes if note.name != name]
+        if self.stopped is not None and self.stopped.name == name:
+            self.stopped = structs.replace(self.stopped, name=SOMEBODY)
+            self.show(self.stopped)
         self.have_said(kept)
 
     def have_said(self, lines: list[tuple[Chat, Audience]]) -> None:
@@ -266,11 +270,6 @@ class Room:
     def tell_people_soon(self) -> None:
         """Have everybody told soon who is here."""
         self.crowd_changed = self.crowd_changed or steady()
-
-    def show_stopped(self, stopped: Stopped | None) -> None:
-        """Tell everybody that somebody has stopped the arm, or that this is over."""
-        self.stopped = stopped
-        self.show(stopped or Stopped(0.0))
 
     def show_people(self, muted: Bars) -> None:
         """Tell everybody who is here."""

@@ -11,10 +11,9 @@ from typing import Final
 import msgspec
 
 from vrts import __version__
-from vrts.live.lasting.clock import wall
 from vrts.live.logs.logged_sessions import JUMPS, LogFault
 from vrts.live.logs.unfinished import Unfinished, unfinished
-from vrts.live.notices.stopping import moves
+from vrts.live.notices.stopping import is_panic, moves
 from vrts.live.protocol.coding import encode
 from vrts.live.protocol.from_server import (
     Happened,
@@ -24,7 +23,6 @@ from vrts.live.protocol.from_server import (
     Refused,
     Result,
     State,
-    Stopped,
 )
 from vrts.live.refusal import NotObeyed
 from vrts.live.rooms.again.deaths import Deaths
@@ -32,7 +30,15 @@ from vrts.live.rooms.again.words import command_words, died_too_often, not_offer
 from vrts.live.rooms.audience import Audience
 from vrts.live.rooms.entering import settle
 from vrts.live.rooms.hub import Hub
-from vrts.live.rooms.keeping import announce, keep_soon, log_soon, record, stamped
+from vrts.live.rooms.keeping import (
+    announce,
+    end_stopped,
+    keep_soon,
+    log_soon,
+    record,
+    show_stopped,
+    stamped,
+)
 from vrts.live.rooms.member import FULL_RATE, Member
 from vrts.live.rooms.noting import forget_notes, remember_notes
 from vrts.live.rooms.process import Head, SessionProcess
@@ -227,7 +233,7 @@ class Sessions:
             case "status":
                 room.show_status(message)
                 if room.stopped is not None and moves(message):
-                    room.show_stopped(None)
+                    end_stopped(self._hub, room)
             case "done":
                 self._done(room, head, message)
             case "reached":
@@ -245,6 +251,7 @@ class Sessions:
                 room.task = msgspec.json.decode(head.task, type=str) if head.task else ""
                 scene = hashlib.sha256(process.scene).hexdigest()
                 if head.carried_s is None:
+                    end_stopped(self._hub, room)
                     room.logged = 0
                     room.notes.clear()
                     room.came = {member.account.id for member in room.members.values()}
@@ -289,8 +296,8 @@ class Sessions:
             return
         if asked.kind == "panic":
             room.halting = False
-            role = room.role_of(asked.person)
-            room.show_stopped(Stopped(wall(), asked.person, asked.name, role))
+        if head.accepted and is_panic(asked.action):
+            show_stopped(self._hub, room, asked)
         if asked.kind in JUMPS:
             room.frame = b""
             if head.accepted:
@@ -336,8 +343,6 @@ class Sessions:
         """Tell that there is no session now, and those who wait for answers that none will come."""
         asked, room.asked = room.asked, {}
         room.halting = False
-        if room.stopped is not None:
-            room.show_stopped(None)
         if (reached := room.reached) is not None:  # later than what the pulse has kept
             self._hub.spawn(keep_soon(self._hub, lambda c: keep_reached(c, (reached,))))
         room.status = room.frame = b""

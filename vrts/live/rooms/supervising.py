@@ -3,6 +3,7 @@
 from vrts.live.lasting.clock import steady, wall
 from vrts.live.names import display_name, readable
 from vrts.live.notices.announcement import next_announcement
+from vrts.live.notices.kept import EVERYWHERE, KeptNotice, end_notice, keep_notice
 from vrts.live.protocol.from_server import LogFile
 from vrts.live.protocol.from_supervisors import (
     Allow,
@@ -105,6 +106,7 @@ async def supervise(
         case Broadcast():
             await _broadcast(hub, sessions, member, message)
         case EndAnnouncement():
+            await hub.database.do(lambda connection: end_notice(connection, EVERYWHERE))
             hub.announcement = None
             hub.show_announcement()
         case WatchWall():
@@ -215,8 +217,11 @@ async def _broadcast(hub: Hub, sessions: Sessions, member: Member, message: Broa
     text = readable(message.text)
     if text:
         name = member.account.name
-        hub.announcement = next_announcement(hub.announcement, wall(), name, text)
-        hub.announcement.account = member.account.id
+        told = next_announcement(hub.announcement, wall(), name, text)
+        told.account = member.account.id
+        kept = KeptNotice(EVERYWHERE, told.id, told.at, told.account, name, text)
+        await hub.database.do(lambda connection: keep_notice(connection, kept))
+        hub.announcement = told
         hub.show_announcement()
     for room in list(hub.rooms.values()):
         if text:

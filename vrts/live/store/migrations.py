@@ -183,6 +183,17 @@ STEPS: Final = (
     );
     ALTER TABLE log_name ADD COLUMN seal BLOB NOT NULL DEFAULT x'';
     """,
+    """
+    -- what everybody has to see: that an arm was stopped in a room, or, in no room, an announcement
+    CREATE TABLE notice (
+        room TEXT PRIMARY KEY,
+        number INTEGER NOT NULL,
+        at REAL NOT NULL,
+        account INTEGER,
+        name TEXT NOT NULL,
+        text TEXT NOT NULL
+    ) WITHOUT ROWID;
+    """,
 )
 
 

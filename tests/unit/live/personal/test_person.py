@@ -11,6 +11,7 @@ from click.testing import CliRunner
 
 from vrts.cli.main import vrts
 from vrts.live.notices.announcement import Announcement
+from vrts.live.notices.kept import KeptNotice, keep_notice
 from vrts.live.personal.names import GONE, Names
 from vrts.live.personal.purging import Forgotten, purge
 from vrts.live.places import places_of
@@ -88,6 +89,11 @@ def _filled(connection: Connection) -> tuple[int, int]:
     for number, (account, name, text, reader) in enumerate(said, 1):
         line = Line("a", number, NOW, account, name, text, reader is not None, reader)
         keep_line(connection, line)
+    for room, account, name, text in (
+        ("a", anna, ANNA, "operator"),
+        ("", ben, "Ben", f"for {ANNA}"),
+    ):
+        keep_notice(connection, KeptNotice(room, 1, NOW, account, name, text))
     for account, name, shelf in ((anna, ANNA, "own"), (anna, ANNA, "room"), (ben, "Ben", "room")):
         place = programs.own_shelf(account) if shelf == "own" else programs.room_shelf("a")
         text = f"; {WORD}" if account == anna else f"; with {ANNA}"
@@ -140,6 +146,10 @@ def test_rooms_that_run_forget_what_was_said(folder: Folder) -> None:
         await open_kept(hub)
         await forget_purged(hub)
         assert ANNA in hub.rooms["b"].kept.name
+        assert announced(hub) == f"for {ANNA}"
+        stopped = hub.rooms["a"].stopped
+        assert stopped is not None
+        assert (stopped.name, stopped.role) == (ANNA, "operator")
         told = Announcement(1, 0.0, ANNA, WORD, folder.anna)
         hub.announcement = Announcement(2, 0.0, "Ben", "stays", folder.ben)
         purge(folder.place, ANNA, folder.key)
@@ -152,6 +162,11 @@ def test_rooms_that_run_forget_what_was_said(folder: Folder) -> None:
         hub.announcement, hub.purges = told, 0
         await forget_purged(hub)
         assert announced(hub) == ""
+        stopped = hub.rooms["a"].stopped
+        assert stopped is not None
+        assert (stopped.name, stopped.role) == ("somebody", "operator"), (
+            "it stands still all the same"
+        )
         found = [
             (room.kept.name, [said.text for said, _ in room.chat]) for room in hub.rooms.values()
         ]
@@ -185,7 +200,7 @@ def test_all_that_is_kept_of_a_person_is_handed_out(folder: Folder, tmp_path: Pa
     assert person["account"][0]["password"] == "kept, not shown"
     assert [row["text"] for row in person["chat"]] == [WORD, f"{WORD} for you"]
     counts = {table: len(rows) for table, rows in person.items()}
-    once = ("account", "barred", "branch", "link", "log_name", "login", "muted")
+    once = ("account", "barred", "branch", "link", "log_name", "login", "muted", "notice")
     assert {table: counts[table] for table in once} == dict.fromkeys(once, 1)
 
 

@@ -1,7 +1,12 @@
 """Announcements and stops: who has seen one, when it is over, and who may say so."""
 
+from pathlib import Path
+
+import pytest
+
+from tests.support_live import LiveServer
 from vrts.live.notices.announcement import Announcement, next_announcement
-from vrts.live.notices.stopping import moves
+from vrts.live.notices.stopping import is_panic, moves
 
 
 def test_people_who_have_seen_an_announcement_are_counted_once_and_while_they_are_here() -> None:
@@ -26,3 +31,40 @@ def test_no_two_announcements_have_one_number_though_the_clock_goes_back() -> No
 def test_a_stop_is_over_when_something_moves() -> None:
     assert moves(b'{"type":"status","mode":"moving","time_s":1.0}')
     assert not any(moves(b'{"mode":"%b"}' % mode) for mode in (b"idle", b"stopped", b"braking"))
+
+
+def test_panic_is_pressed_or_typed() -> None:
+    assert is_panic(b'{"type":"panic"}')
+    assert is_panic(b'{"type":"line","line":" panic "}')
+    assert not is_panic(b'{"type":"line","line":"TYPE PANIC"}')
+    assert not is_panic(b'{"type":"let_go"}')
+
+
+@pytest.mark.thorough
+def test_what_everybody_has_to_see_is_seen_again_after_a_restart(tmp_path: Path) -> None:
+    with LiveServer(tmp_path / "live") as server:
+        boss, anna = server.join(server.supervisor()), server.join(cookie := server.enter("Anna"))
+        anna.wait("state", lambda m: m["state"] is not None)
+        boss.send("broadcast", text="Read page 4")
+        told = anna.wait("announced", lambda m: m["id"] > 0)
+        lease = anna.take_control()
+        anna.command(lease, "line", line="DO DRIVE 1,60,5")
+        anna.wait("now", lambda m: m["status"]["mode"] == "moving")
+        anna.command(lease, "line", line="PANIC")
+        stopped = anna.wait("stopped", lambda m: m["at"] > 0.0)
+        assert (stopped["name"], stopped["role"]) == ("Anna", "operator")
+        anna.quiet(0.3)
+        server.close_browsers()
+        server.kill()
+        server.start(str(server.port))
+        anna = server.join(cookie)
+        assert anna.wait("announced")["text"] == told["text"]
+        again = anna.wait("stopped")
+        assert (again["at"], again["name"], again["role"]) == (stopped["at"], "Anna", "operator")
+        anna.wait("state", lambda m: m["state"] is not None)
+        lease = anna.take_control()
+        anna.command(lease, "line", line="DO DRIVE 1,5,50")
+        assert anna.wait("stopped", lambda m: m["at"] == 0.0), "it moves again"
+        boss = server.join(server.supervisor())
+        boss.send("end_announcement")
+        anna.wait("announced", lambda m: m["id"] == 0)
