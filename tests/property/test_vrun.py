@@ -1,6 +1,7 @@
 """Whatever is done to a saved run: it is refused in one diagnostic, or it answers everything."""
 
 import json
+from collections.abc import Iterator
 from typing import Any, cast
 
 import numpy as np
@@ -176,6 +177,33 @@ def test_changed_descriptions(data: bytes, way: list[int], new: object) -> None:
             break
         inside = inside[key]
     answers_or_is_refused(packed(parts | {"vrun.json": json.dumps(manifest).encode()}))
+
+
+def kinds_of_places(node: Any, way: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...]]:
+    """Yield a way to each kind of place in JSON: of a long list, its beginning only."""
+    if way:
+        yield way
+    for key in keys_of(node):
+        if not isinstance(key, int) or key < 3:
+            yield from kinds_of_places(node[key], (*way, key))
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("data", FILES, ids=["busy", "carrying"])
+def test_each_kind_of_place_in_a_description(data: bytes) -> None:
+    parts = members(data)
+    manifest = json.loads(parts["vrun.json"])
+    places = list(kinds_of_places(manifest))
+    assert len(places) > 100
+    for place in places:
+        inside = manifest
+        for key in place[:-1]:
+            inside = inside[key]
+        before = inside[place[-1]]
+        for new in ((), 1, "x"):
+            inside[place[-1]] = new
+            answers_or_is_refused(packed(parts | {"vrun.json": json.dumps(manifest).encode()}))
+        inside[place[-1]] = before
 
 
 @pytest.mark.parametrize("length", [0, 4, 30, 38, 100, 5000])

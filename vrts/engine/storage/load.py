@@ -24,14 +24,7 @@ from vrts.engine.history import (
 )
 from vrts.engine.memory.cells import Cell
 from vrts.engine.memory.event_log import EventLog
-from vrts.engine.memory.events import (
-    Cause,
-    Event,
-    HandCommanded,
-    MotionEnded,
-    MotionStarted,
-    ProgramEnded,
-)
+from vrts.engine.memory.events import Cause, Event
 from vrts.engine.memory.records import Ending, Lie, Placement, Stroke
 from vrts.engine.memory.trace import Trace
 from vrts.engine.motion.time_scale import Knot
@@ -43,16 +36,15 @@ from vrts.engine.storage.damage import OTHER_FORMAT, RUN_AGAIN, Damaged, not_rem
 from vrts.engine.storage.origin import Origin, module_digest, read_origin
 from vrts.engine.storage.plain import Json, Plain, listed, named, number, text, truth, whole
 from vrts.engine.storage.save import FORMAT, MAIN_LAYOUT
+from vrts.engine.storage.sound_events import LONGEST_S, check_events
 from vrts.engine.storage.sound_scenario import check_scenario
 from vrts.ir.commands import Execute, TimedCommand
-from vrts.ir.instructions import HandAction
 from vrts.ir.module import Module
 from vrts.robots.model import Configuration
 from vrts.scene.model import Mobility, Scenario, Scene
 
 LAYOUT = {**MAIN_LAYOUT, **arm.LAYOUT, **traces.LAYOUT, **cells.LAYOUT}
 BEFORE = "vrts.run/2"  # the format before, which is still read
-LONGEST_S = 1e6  # any time in a run
 MOST_STATEMENTS = 2**31
 LARGEST_TURN = 1e3  # [rad]
 WIDEST = 10.0  # [m] opening of a hand
@@ -173,7 +165,7 @@ def _run(saved: SavedRun, module: Module, scene: Scene) -> Run:
         ),
         events=_events(plain.read(tuple[Event, ...], said.get("events")), tables, finished),
     )
-    _check_events(history)
+    check_events(history)
     return Run(history, time_of(said.get("until_s")))
 
 
@@ -298,7 +290,8 @@ def _track(name: str, data: Json, plain: Plain, scene: Scene) -> list[Placement]
     bodies = {body.name for body in scene.bodies}
     found: list[Placement] = []
     for row, start, end in zip(rows, starts, [*starts[1:], math.inf], strict=True):
-        lie, X, support = row[1:]
+        lie, X = row[1:3]
+        support = None if row[3] is None else text(row[3])
         require(support is None or support in bodies, "an object rests on nothing in the scene")
         found.append(
             Placement(name, start, end, plain.read(Lie, lie), plain.read(Pose, X), support)
@@ -308,27 +301,3 @@ def _track(name: str, data: Json, plain: Plain, scene: Scene) -> list[Placement]
 
 def _cell(known: cells.ReadCells, data: Json) -> Cell:
     return known.cells[_count(data, len(known.cells))]
-
-
-def _check_events(history: History) -> None:
-    """Check what events point at.
-
-    Raises:
-        Damaged: It is not there.
-    """
-    bodies = {body.name for body in history.scene.bodies}
-    endings, actions = {e.value for e in Ending}, {a.value for a in HandAction}
-    for event in history.events:
-        require(0.0 <= event.time_s <= LONGEST_S, "an event has no time")
-        match event:
-            case MotionStarted(motion=motion) | MotionEnded(motion=motion):
-                inside = 0 <= motion < len(history.arm.motions)
-                require(inside, "an event is of a motion that is not there")
-            case ProgramEnded(ending=ending):
-                require(ending in endings, f"there is no ending `{ending}`")
-            case HandCommanded(action=action):
-                require(action in actions, f"there is no action `{action}` of the hand")
-            case _:
-                named_bodies = (getattr(event, "body", None), getattr(event, "support", None))
-                there = all(name is None or name in bodies for name in named_bodies)
-                require(there, "an event is about an object that is not there")
