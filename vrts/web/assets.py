@@ -30,7 +30,6 @@ BARE = {  # paths of vendored modules, by the names under which others import th
 
 _BARE = "|".join(map(re.escape, BARE))
 _IMPORT = re.compile(rf"""(\bfrom\s*|\bimport\s*)(["'])({_BARE}|\.{{1,2}}/[^"'\n]+)\2""")
-_SCRIPT = re.compile(r"""<script type="module" src="/web/([^"]+)">""")
 
 
 @cache
@@ -47,7 +46,7 @@ def module_name(path: str) -> str:
 @cache
 def imports(path: str) -> tuple[str, ...]:
     """Return the paths of the modules that a module imports directly."""
-    found = (_target(path, match[3]) for match in _IMPORT.finditer(asset(path)))
+    found = (target(path, match[3]) for match in _IMPORT.finditer(asset(path)))
     return tuple(dict.fromkeys(found))
 
 
@@ -79,28 +78,16 @@ def packed(entry: str) -> str:
 
 def _source(path: str) -> str:
     return _IMPORT.sub(
-        lambda match: f"{match[1]}{match[2]}{module_name(_target(path, match[3]))}{match[2]}",
+        lambda match: f"{match[1]}{match[2]}{module_name(target(path, match[3]))}{match[2]}",
         asset(path),
     )
 
 
-def _target(path: str, specifier: str) -> str:
+def target(path: str, specifier: str) -> str:
+    """Return the path of what a module means by a name or a relative path."""
     if specifier in BARE:
         return BARE[specifier]
     return posixpath.normpath(posixpath.join(posixpath.dirname(path), specifier))
-
-
-def served_page(path: str) -> str:
-    """Return a page as a server sends it: it names all that its modules need.
-
-    A browser asks for all of it at once then; it would find the imports of imports only when it has
-    read them, a round at a time.
-    """
-    text = asset(path)
-    entries = (match[1] for match in _SCRIPT.finditer(text))
-    needed = dict.fromkeys(module for entry in entries for module in closure(entry))
-    links = (f'  <link rel="modulepreload" href="/web/{module}">\n' for module in needed)
-    return text.replace("</head>", f"{''.join(links)}</head>", 1)
 
 
 def served(path: str) -> str:

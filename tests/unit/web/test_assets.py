@@ -19,7 +19,6 @@ from vrts.web.assets import (
     module_name,
     packed,
     served,
-    served_page,
     sources,
 )
 
@@ -59,13 +58,6 @@ def test_the_editor_needs_nothing_that_is_not_vendored() -> None:
         assert not re.search(r"""^(?:im|ex)port\b.*\bfrom\s*["'][^/.]""", served(path), re.M), path
 
 
-def test_the_first_page_waits_for_no_editor() -> None:
-    page = served_page("live/index.html")
-    assert CODEMIRROR not in page
-    assert "live/editor/panel.js" in page  # it loads the rest when it is opened
-    assert "live/editor/workbench.js" not in page
-
-
 def test_modules_need_no_others_than_a_page_holds() -> None:
     modules = sources("report/page.js")
     assert module_name(THREE) in modules
@@ -88,12 +80,3 @@ def test_our_modules_use_no_path_of_the_page() -> None:
     for path in ours:
         assert not re.search(r"https?://(?!www\.w3\.org/2000/svg)", asset(path)), path
         assert "innerHTML" not in asset(path), path
-
-
-def test_a_page_names_every_module_it_needs_before_it_is_asked() -> None:
-    page = served_page("live/index.html")
-    named = re.findall(r'<link rel="modulepreload" href="/web/([^"]+)">', page)
-    assert set(named) == {*closure("live/main.js"), *closure("live/early.js")}
-    assert len(named) == len(set(named)) > 50
-    assert THREE in named
-    assert page.index("modulepreload") < page.index("<body>")

@@ -9,7 +9,8 @@ from typing import Final, NamedTuple
 from starlette.requests import Request
 from starlette.responses import Response
 
-from vrts.web.assets import served, served_page
+from vrts.web.assets import served
+from vrts.web.bundles import Bundles
 
 TYPES: Final = {
     "css": "text/css; charset=utf-8",
@@ -57,26 +58,30 @@ class StaticFiles:
     def __init__(self) -> None:
         """List them."""
         self._files = dict(_listed(files("vrts.web"), ""))
+        self._bundles = Bundles(PAGE)
         self._contents: dict[str, Content] = {}
 
     def find(self, path: str) -> Content | None:
         """Return a file by its path, None when there is none."""
-        if path not in self._files:
+        if path not in self._files and path != self._bundles.sheet:
             return None
         if path not in self._contents:
             self._contents[path] = self._read(path)
         return self._contents[path]
 
     def _read(self, path: str) -> Content:
-        kind = path.rsplit(".", 1)[-1]
-        match kind:
-            case "js":
-                plain = served(path).encode()
-            case "html":
-                plain = served_page(path).encode()
-            case _:
-                plain = self._files[path].read_bytes()
-        return content(plain, TYPES[kind])
+        bundles = self._bundles
+        if path == bundles.page:
+            plain = bundles.html().encode()
+        elif path == bundles.sheet:
+            plain = bundles.css().encode()
+        elif bundles.holds(path):
+            plain = bundles.text(path).encode()
+        elif path.endswith(".js"):
+            plain = served(path).encode()
+        else:
+            plain = self._files[path].read_bytes()
+        return content(plain, TYPES[path.rsplit(".", 1)[-1]])
 
 
 def _listed(folder: Traversable, prefix: str) -> list[tuple[str, Traversable]]:

@@ -11,8 +11,12 @@ export class Denied extends Error {
   }
 }
 
-/** The server's clock minus the page's, as far as known [s]; times of turns are the server's. */
-export let clockOffset = 0;
+let offset = 0;
+
+/** Return the server's clock minus the page's, as far as known [s]; times of turns are the server's. */
+export function clockOffset() {
+  return offset;
+}
 
 /** Return who is logged in; null when nobody is. @returns {Promise<Me | null>} */
 export async function whoAmI() {
@@ -58,5 +62,5 @@ async function body(answer) {
 function readClock(answer) {
   const date = Date.parse(answer.headers.get("date") ?? "");
   // the header counts whole seconds; less than that is no difference
-  if (!Number.isNaN(date) && Math.abs(date - Date.now()) > 1500) clockOffset = (date + 500 - Date.now()) / 1000;
+  if (!Number.isNaN(date) && Math.abs(date - Date.now()) > 1500) offset = (date + 500 - Date.now()) / 1000;
 }

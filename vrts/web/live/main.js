@@ -33,7 +33,12 @@ async function begin(me) {
   else showRoom(me, wanted.get("room") ?? "");
 }
 
+/** Find out who is there, and begin. */
+async function start() {
+  const me = await identified();
+  if (me) await begin(me);
+  else if (byId("enter").hidden) showDoor("", "");
+}
+
 document.addEventListener("entered", (event) => void begin(/** @type {CustomEvent} */ (event).detail));
-const me = await identified();
-if (me) await begin(me);
-else if (byId("enter").hidden) showDoor("", "");
+void start();

@@ -77,7 +77,7 @@ export function mountTop({ store, connection, toasts, panic }) {
   /** Show what is left of a turn. */
   function tick() {
     const { ends } = store.now.control;
-    const left = Math.max(Math.ceil(ends - (Date.now() / 1000 + clockOffset)), 0);
+    const left = Math.max(Math.ceil(ends - (Date.now() / 1000 + clockOffset())), 0);
     const clock = ends ? `, ${Math.floor(left / 60)}:${String(left % 60).padStart(2, "0")} left` : "";
     const now = make("span", {}, ...said.map((part) => (typeof part === "string" ? part : part.cloneNode(true))), clock);
     if (byId("turn").textContent !== now.textContent) byId("turn").replaceChildren(now);

@@ -1,0 +1,115 @@
+"""Bundles: what a page needs in few files, each module once, after what it imports."""
+
+import re
+
+import pytest
+
+from vrts.web.assets import CODEMIRROR, THREE, asset, closure, imports
+from vrts.web.bundles import Bundles, taken_apart
+
+PAGE = Bundles("live/index.html")
+MAIN = "live/main.js"
+ALL = sorted(path for bundle in PAGE.paths for path in PAGE.parts(bundle))
+
+
+def test_a_page_asks_for_few_files_before_it_can_begin() -> None:
+    page = PAGE.html()
+    named = re.findall(r'<link rel="modulepreload" href="/web/([^"]+)">', page)
+    assert named[:2] == ["live/early.js", MAIN]
+    assert THREE in named
+    assert len(named) <= 5  # six answers at a time are on their way
+    assert page.index("modulepreload") < page.index("<body>")
+    assert re.findall(r'<link rel="stylesheet" href="/web/([^"]+)">', page) == [PAGE.sheet]
+
+
+def test_the_first_page_waits_for_no_editor() -> None:
+    assert CODEMIRROR not in PAGE.html()
+    assert CODEMIRROR not in PAGE.text(MAIN)
+    assert "live/editor/panel.js" in PAGE.parts(MAIN)  # it loads the rest when it is opened
+    assert 'import("/web/live/editor/workbench.js")' in PAGE.text(MAIN)
+
+
+def test_one_style_sheet_holds_all_in_their_order() -> None:
+    sheets = re.findall(r'<link rel="stylesheet" href="/web/([^"]+)">', asset("live/index.html"))
+    assert len(sheets) > 5
+    places = [PAGE.css().index(asset(sheet)) for sheet in sheets]
+    assert places == sorted(places)
+
+
+def test_all_modules_of_the_page_stand_in_bundles() -> None:
+    assert {path for path in closure(MAIN) if not path.startswith("vendor/")} <= set(ALL)
+    assert {"live/past/past.js", "live/panels/chat.js", "live/editor/workbench.js"} <= set(ALL)
+
+
+@pytest.mark.parametrize("path", ALL)
+def test_every_module_stands_in_one_bundle_after_what_it_imports(path: str) -> None:
+    bundle = PAGE.owner(path)
+    parts = PAGE.parts(bundle)
+    assert parts.count(path) == 1
+    for needed in imports(path):
+        if needed in parts:
+            assert parts.index(needed) < parts.index(path)
+    for needed, names in _wanted(path):
+        if not needed.startswith("vendor/"):
+            assert names <= set(taken_apart(needed, asset(needed)).exports)
+
+
+@pytest.mark.parametrize("path", PAGE.paths)
+def test_a_bundle_imports_only_what_others_give(path: str) -> None:
+    text = PAGE.text(path)
+    assert "/**" not in text
+    taken = re.findall(r'^import \{ (\S+) \} from "/web/([^"]+)";$', text, re.M)
+    for name, bundle in taken:
+        given = PAGE.text(bundle).rsplit("export {", 1)[1]
+        assert name in re.findall(r"[\w$]+", given)
+    whole = re.findall(r'^import \* as \S+ from "/web/([^"]+)";$', text, re.M)
+    assert all(other.startswith("vendor/") for other in whole)
+    assert len(re.findall(r"^import\b", text, re.M)) == len(taken) + len(whole)
+
+
+def test_the_address_of_a_module_gives_the_one_of_its_bundle() -> None:
+    assert PAGE.owner("live/dom.js") == MAIN
+    assert PAGE.text("live/dom.js").startswith('import { $live_dom } from "/web/live/main.js";\n')
+    assert "byId" in PAGE.text("live/dom.js")
+
+
+def test_imports_and_exports_are_what_a_bundle_makes_of_them() -> None:
+    module = taken_apart(
+        "live/a.js",
+        'import {\n  one, two as second,\n} from "./b.js";\n'
+        'import { Vector3 } from "three";\n\n'
+        "/** @param {import('./c.js').C} c */\nexport async function ask(c) {\n"
+        '  await import("./later.js");\n  // what is so\n  return one(c, "// kept");\n}\n'
+        "export const A = 1;\nexport class B {}\n",
+    )
+    assert [path for _, path in module.taken] == ["live/b.js", THREE]
+    assert module.exports == ("ask", "A", "B")
+    assert module.body == (
+        '\n\nasync function ask(c) {\n  await import("/web/live/later.js");\n'
+        '  return one(c, "// kept");\n}\nconst A = 1;\nclass B {}\n'
+    )
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "export let changing = 0;",
+        "export default one;",
+        'export * from "./b.js";',
+        'import * as all from "./b.js";',
+        "const me = await who();",
+        "await begin();",
+        "const here = import.meta.url;",
+    ],
+)
+def test_another_style_is_refused(line: str) -> None:
+    with pytest.raises(ValueError, match=r"live/a\.js cannot stand in a bundle"):
+        taken_apart("live/a.js", f"const one = 1;\n{line}\n")
+
+
+def _wanted(path: str) -> list[tuple[str, set[str]]]:
+    taken = taken_apart(path, asset(path)).taken
+    return [
+        (source, {name.split(" as ")[0].strip() for name in names.split(",") if name.strip()})
+        for names, source in taken
+    ]
