@@ -157,7 +157,7 @@ def command(
 
     It listens on this machine only, unless `--host` names another address. For https give
     `--tls-cert` and `--tls-key`, or put a proxy in front of it and start it with `--behind-proxy
-    --name lab.example.org`. `vrts manual browser` shows the lines that nginx and Caddy need.
+    --name lab.example.org`. `vrts manual server` shows the lines that nginx and Caddy need.
 
     To leave it running, `--service` prints a unit for systemd with the same options. `/health`
     tells whether it is well, and a supervisor with an account sees more at `/admin`.

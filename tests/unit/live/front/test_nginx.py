@@ -22,7 +22,7 @@ from tests.support_live import PATIENCE, Answer, Browser, LiveServer
 from tests.support_proxy import certificate
 
 NAME = "lab.example.org"
-MANUAL = ROOT / "vrts" / "manual" / "learn" / "browser.md"
+MANUAL = ROOT / "vrts" / "manual" / "learn" / "server.md"
 WHOLE = """daemon off; user root; pid {folder}/pid; error_log {folder}/error.log;
 events {{}} http {{ access_log off; client_body_temp_path {folder}/body;
 proxy_temp_path {folder}/proxy; fastcgi_temp_path {folder}/f; scgi_temp_path {folder}/s;

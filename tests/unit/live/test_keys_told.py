@@ -1,0 +1,41 @@
+"""The manual's table of keys has the keys that the page knows, and no others with Alt."""
+
+import re
+
+from tests.places import ROOT
+
+LIVE = ROOT / "vrts" / "web" / "live"
+PAGE = (ROOT / "vrts" / "manual" / "learn" / "browser.md").read_text("utf-8")
+TABLE = PAGE.partition("\n## Keys\n")[2]
+
+
+def source(*names: str) -> str:
+    return "\n".join((LIVE / name).read_text("utf-8") for name in names)
+
+
+def test_every_key_with_alt_is_told_and_there_is_no_other() -> None:
+    everything = "\n".join(path.read_text("utf-8") for path in sorted(LIVE.rglob("*.js")))
+    known = set(re.findall(r"\bKey([A-Z])\b", everything))
+    assert len(known) > 6
+    assert set(re.findall(r"(?<!Shift\+)Alt\+([A-Z])\b", TABLE)) == known
+
+
+def test_the_keys_of_the_editor_are_told_with_the_words_of_the_page() -> None:
+    listed = re.search(r"^const KEYS = \[\n(.*?)^\];", source("editor/workbench.js"), re.M | re.S)
+    assert listed is not None
+    keys = re.findall(r'\["([^"]+)", "([^"]+)"\]', listed[1])
+    assert len(keys) > 6
+    for key, does in keys:
+        row = next((row for row in TABLE.splitlines() if key in row), "")
+        assert does in row, key
+
+
+def test_the_keys_of_the_pendant_and_the_views_are_told() -> None:
+    for name in ("PLUS", "MINUS"):
+        letters = re.search(rf'^const {name} = "(\w+)"', source("panels/pendant.js"), re.M)
+        assert letters is not None
+        assert f"| {' '.join(letters[1])} |" in TABLE
+    views = re.findall(r'(\d): "(\w+)"', source("keys.js"))
+    names = [str(view).capitalize() for _, view in views]
+    words = ", ".join("Follow hand" if name == "Hand" else name for name in names)
+    assert f"| 1 to {len(views)} | {words} |" in TABLE
