@@ -3,6 +3,7 @@
 import secrets
 import time
 from collections.abc import Iterable
+from typing import Final
 
 import msgspec
 
@@ -23,18 +24,42 @@ from vrts.live.rooms.room import Room
 from vrts.live.store.accounts import Account
 from vrts.live.store.guests import saw
 
+NEXT: Final = 8  # of those who wait for control keep their place in a full room
+CROWDED: Final = "very many came from where you are, or you have several pages: enter again"
 
-def enter(hub: Hub, account: Account, join: Join, door: Door) -> Member:
-    """Give somebody a place in a room, or the one they had."""
+
+def enter(
+    hub: Hub,
+    account: Account,
+    join: Join,
+    door: Door,
+    *,
+    address: str = "",
+    browsers: frozenset[bytes] = frozenset(),
+) -> Member:
+    """Give somebody a place in a room, or the one they had.
+
+    Args:
+        hub: Of the room.
+        account: Who it is.
+        join: The first message.
+        door: The way to them.
+        address: From where they come.
+        browsers: What their browser is known by.
+
+    Raises:
+        NotObeyed: They may not enter it, or it is full of people who take no more than a share.
+    """
     room = _room_for(hub, account, join.room)
     member = _returning(room, account, join)
     if member is None:
-        make_way(hub, room, account)
+        make_way(hub, room, account, address)
         member = Member(account, room.id)
         room.members[member.id] = member
         if account.id not in room.came:  # once a session: who comes again and again fills no log
             room.came.add(account.id)
             record(hub, room, "join", account, {})
+    member.address, member.browsers = address, browsers
     member.came = member.heard = time.monotonic()
     _saw(hub, member, 0.0)
     resumed = join.resume == member.resume and room.remembers(join.seen)
@@ -112,41 +137,57 @@ def drop(hub: Hub, member: Member, door: Door) -> None:
         room.tell_people_soon()
 
 
-def make_way_for_one(hub: Hub) -> bool:
+def make_way_for_one(hub: Hub, address: str = "") -> bool:
     """Make sure that the server can take one more connection; return whether it can."""
     here = {member.id: member for member in hub.everybody() if member.door is not None}
     if len(here) < limits.ALL_CONNECTIONS:
         return True
-    place = gives_way([_connected(hub, member) for member in here.values()])
+    return _end_one(hub, here, address)
+
+
+def _end_one(hub: Hub, here: dict[str, Member], address: str) -> bool:
+    """End a connection of who takes more than a share; return whether there is one."""
+    place = gives_way([_connected(hub, m) for m in here.values()], group(address))
     if place is None:
         return False
-    send_away(hub, here[place], "crowded", "very many came from where you are: enter again")
+    send_away(hub, here[place], "crowded", CROWDED)
     return True
 
 
 def _connected(hub: Hub, member: Member) -> Connected:
+    address, keeps = group(member.address), _keeps(hub, member)
+    who = member.account.id
+    return Connected(member.id, who, address, member.heard, keeps, member.browsers)
+
+
+def _keeps(hub: Hub, member: Member) -> bool:
+    """Return whether somebody leads, operates, or is among the next to operate."""
     control = hub.rooms[member.room].control
-    keeps = member.supervisor or member.id == control.holder or member.id in control.queue
-    address = group(member.address)
-    return Connected(member.id, member.account.id, address, member.heard, keeps)
+    return member.supervisor or member.id in (control.holder, *control.queue[:NEXT])
 
 
-def make_way(hub: Hub, room: Room, account: Account) -> None:
-    """Make sure that there is a place for one more, and give up places of people who are away.
+def make_way(hub: Hub, room: Room, account: Account, address: str = "") -> None:
+    """Make sure that there is a place for one more.
+
+    Places of people who are away are given up first, then one of who takes more than a share.
 
     Raises:
-        NotObeyed: All places are of people who are here.
+        NotObeyed: All places are of people who are here, and take no more than a share.
     """
     own = [member for member in hub.everybody() if member.account.id == account.id]
     if len(own) >= limits.CONNECTIONS:
         _give_up(hub, own, f"there are {len(own)} connections of this account")
-    if len(room.members) >= limits.PLACES:
+    if len(room.members) < limits.PLACES or account.supervisor:
+        return
+    away = any(m.door is None and not _keeps(hub, m) for m in room.members.values())
+    if away or not _end_one(hub, dict(room.members), address):
         _give_up(hub, room.members.values(), f"all {limits.PLACES} places of this room are taken")
 
 
 def _give_up(hub: Hub, members: Iterable[Member], refusal: str) -> None:
-    """Give up the place of who is away for longest."""
-    gone = min((m for m in members if m.door is None), key=lambda m: m.away_since, default=None)
+    """Give up the place of who is away for longest, of the operator last."""
+    away = [m for m in members if m.door is None]
+    gone = min(away, key=lambda m: (_keeps(hub, m), m.away_since), default=None)
     if gone is None:
         raise NotObeyed("limit", refusal, "come back later")
     remove(hub, hub.rooms[gone.room], gone)

@@ -1,6 +1,7 @@
 """A room: the people in it, the control right, the session they share, and what they were told."""
 
 import asyncio
+import time
 from collections import deque
 from collections.abc import Iterable
 from dataclasses import dataclass, field
@@ -90,6 +91,7 @@ class Room:
     unheard: str = ""  # the last command that the session has not answered when it died
     stopped: Stopped | None = None  # by PANIC, and has not moved since
     halting: bool = False  # a panic is on its way
+    panicked: float = 0.0  # when the last one came, of a clock that only goes on [s]
     frame: bytes = b""  # the last pose frame; empty: session time is another one since
     branch: Branch | None = None  # what makes it a private one
     empty_since: float | None = None  # since when nobody is in a private one [s]
@@ -225,6 +227,7 @@ class Room:
 
     def panic(self, member: Member) -> None:
         """Pass a panic on at once; while one is on its way, another would change nothing."""
+        self.panicked = time.monotonic()
         if self.process is not None and self.process.ready and not self.halting:
             self.halting = True
             self.ask(self.process.halt(), "panic", member, 0, PANIC)

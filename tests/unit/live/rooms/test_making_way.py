@@ -45,11 +45,11 @@ def hub(tmp_path: Path) -> Iterator[Hub]:
     found.database.close()
 
 
-def comes(hub: Hub, account: int, *, away_since: float = 0.0) -> Member:
+def comes(hub: Hub, account: int, *, away_since: float = 0.0, address: str = "192.0.2.1") -> Member:
     """Put somebody into the room; one who is away has no door."""
     door = None if away_since else cast("Door", Ends())
     member = Member(Account(account, f"n{account}", False, None), "r", door=door)
-    member.away_since, member.address = away_since, "192.0.2.1"
+    member.away_since, member.address = away_since, address
     hub.rooms["r"].members[member.id] = member
     return member
 
@@ -73,9 +73,50 @@ def test_a_full_room_gives_up_the_place_of_who_is_away_for_longest(
     make_way(hub, room, NEW)
     assert away.id not in room.members
     assert here.id in room.members
-    comes(hub, 6)
+    assert len(room.members) == 3
+
+
+def test_a_room_full_of_people_who_take_no_more_than_a_share_takes_nobody_but_who_leads(
+    hub: Hub, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(limits, "PLACES", 4)
+    room = hub.rooms["r"]
+    for number in range(4):
+        comes(hub, number, address=f"192.0.2.{number}")
     with pytest.raises(NotObeyed, match="all 4 places"):
-        make_way(hub, room, NEW)
+        make_way(hub, room, NEW, "198.51.100.1")
+    make_way(hub, room, Account(98, "Boss", True, None), "198.51.100.1")
+    assert len(room.members) == 4
+
+
+@pytest.mark.parametrize("address", ["192.0.2.1", "198.51.100.1"])
+def test_nobody_is_kept_out_of_a_room_by_who_floods_it(
+    hub: Hub, monkeypatch: pytest.MonkeyPatch, address: str
+) -> None:
+    monkeypatch.setattr(limits, "PLACES", 40)
+    room = hub.rooms["r"]
+    honest = [comes(hub, 100 + n) for n in range(10)]  # a hall behind one address
+    for number in range(30):
+        comes(hub, number // 6)  # of five accounts in it
+    operator = room.members[next(reversed(room.members))]
+    room.control.request(operator.id, 0.0)
+    for number in range(15):
+        make_way(hub, room, Account(200 + number, "New", False, None), address)
+        comes(hub, 200 + number, address=address)
+        assert len(room.members) == 40
+    assert all(one.id in room.members for one in (*honest, operator))
+
+
+def test_who_dropped_and_operates_keeps_the_place_longer_than_others_who_are_away(
+    hub: Hub, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(limits, "PLACES", 2)
+    room = hub.rooms["r"]
+    operator, other = comes(hub, 1, away_since=5.0), comes(hub, 2, away_since=9.0)
+    room.control.request(operator.id, 0.0)
+    make_way(hub, room, NEW)
+    assert operator.id in room.members
+    assert other.id not in room.members
 
 
 def test_the_server_ends_a_connection_of_who_has_most(
