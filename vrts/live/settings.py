@@ -8,6 +8,7 @@ from typing import Final, NamedTuple
 DATABASE: Final = "live.sqlite"  # in the server's folder
 SESSIONS: Final = "sessions"  # folder for the sessions' own files
 EDITING: Final = "editing"  # empty folder in which language servers begin
+REHEARSING: Final = "rehearsing"  # empty folder in which rehearsals begin
 HISTORY_QUOTA: Final = 64_000_000  # bytes of a session's file of what is older than ten minutes
 LOG_QUOTA: Final = 256_000_000  # bytes of the log of a session
 

@@ -2,8 +2,9 @@
 
 import asyncio
 import time
+from collections.abc import Hashable
 from pathlib import Path
-from typing import Final
+from typing import Final, Generic, TypeVar
 
 from vrts.live.limits import Bucket
 
@@ -13,25 +14,44 @@ REMEMBERED: Final = 2000  # persons whose beginnings are counted
 QUIET_S: Final = 30.0  # without a message, after which a seat is given to who finds none free
 
 
-class Seat:
-    """The right to one language server."""
+Whose = TypeVar("Whose", bound=Hashable)
 
-    def __init__(self, account: int) -> None:
+
+class Seat(Generic[Whose]):
+    """The right to one language server, or another process."""
+
+    def __init__(self, whose: Whose) -> None:
         """Give it to somebody."""
-        self.account = account
+        self.whose = whose
         self.taken = asyncio.Event()  # somebody else has it now, or the server ends
         self.wanted = False  # it was taken for another person
         self.heard_s = time.monotonic()  # when its browser said something last
 
 
-class Seats:
+class Seats(Generic[Whose]):
     """Gives seats, and takes back that of a person who opens the editor once more."""
 
-    def __init__(self, place: Path, most: int = MOST) -> None:
-        """Begin with none given; `place` is where language servers begin, made when needed."""
+    def __init__(
+        self,
+        place: Path,
+        most: int = MOST,
+        *,
+        begun: tuple[float, float] = BEGUN,
+        quiet_s: float = QUIET_S,
+    ) -> None:
+        """Begin with none given.
+
+        Args:
+            place: Where processes begin, made when needed.
+            most: Seats.
+            begun: How many one person may take a second, and at once.
+            quiet_s: After so long without a message a seat is given to who finds none free [s].
+        """
         self._most = most
-        self._of: dict[int, Seat] = {}
-        self._begun: dict[int, Bucket] = {}
+        self._often = begun
+        self._quiet_s = quiet_s
+        self._of: dict[Whose, Seat[Whose]] = {}
+        self._begun: dict[Whose, Bucket] = {}
         self._place = place
 
     @property
@@ -40,38 +60,38 @@ class Seats:
         self._place.mkdir(mode=0o700, parents=True, exist_ok=True)
         return self._place
 
-    def take(self, account: int) -> Seat | None:
+    def take(self, whose: Whose) -> Seat[Whose] | None:
         """Return a seat; None where all are given to others, or somebody begins too often.
 
         Where all are given, the one goes in which nothing was written for longest.
         """
-        bucket = self._begun.setdefault(account, Bucket(*BEGUN))
+        bucket = self._begun.setdefault(whose, Bucket(*self._often))
         if not bucket.take(time.monotonic()):
             return None
         while len(self._begun) > REMEMBERED:
             del self._begun[next(iter(self._begun))]
-        before = self._of.get(account)
+        before = self._of.get(whose)
         if before is not None:
             before.taken.set()
         elif len(self._of) >= self._most and not self._free():
             return None
-        seat = self._of[account] = Seat(account)
+        seat = self._of[whose] = Seat(whose)
         return seat
 
     def _free(self) -> bool:
         """Take back the seat that is quiet for longest; return whether there is one."""
         seat = min(self._of.values(), key=lambda one: one.heard_s)
-        if time.monotonic() - seat.heard_s < QUIET_S:
+        if time.monotonic() - seat.heard_s < self._quiet_s:
             return False
-        del self._of[seat.account]
+        del self._of[seat.whose]
         seat.wanted = True
         seat.taken.set()
         return True
 
-    def give_back(self, seat: Seat) -> None:
+    def give_back(self, seat: Seat[Whose]) -> None:
         """Take a seat back from who has no use for it."""
-        if self._of.get(seat.account) is seat:
-            del self._of[seat.account]
+        if self._of.get(seat.whose) is seat:
+            del self._of[seat.whose]
 
     def stop(self) -> None:
         """Take all seats back."""

@@ -21,13 +21,16 @@ from vrts.live.front.http import Pages
 from vrts.live.front.origin import Names
 from vrts.live.front.past import PastPages
 from vrts.live.front.program_pages import ProgramPages
+from vrts.live.front.rehearsal_socket import rehearsal_socket
 from vrts.live.front.socket import serve_socket
 from vrts.live.front.static_files import StaticFiles
+from vrts.live.rehearsing.offering import Rehearsals
 from vrts.live.rooms.hub import DISK_HELP, NO_DISK, Hub
 from vrts.live.rooms.opening import make_room, open_kept
 from vrts.live.rooms.pulse import pulse
 from vrts.live.rooms.sessions import Sessions
-from vrts.live.settings import DATABASE, EDITING, Settings
+from vrts.live.settings import DATABASE, EDITING, REHEARSING, Settings
+from vrts.live.store.accounts import Account
 from vrts.live.store.database import Database
 from vrts.live.store.waiting.journal import NO_ROOM
 from vrts.live.watching.admin import AdminPage
@@ -55,7 +58,8 @@ def application(
     database = Database(settings.folder / DATABASE, settings.log_key, signs=signs)
     hub = Hub(settings, database, address, with_code=with_code)
     sessions = Sessions(hub)
-    seats = Seats(settings.folder / EDITING)
+    seats: Seats[int] = Seats(settings.folder / EDITING)
+    rehearsals = Rehearsals(settings.folder / REHEARSING)
     pages = Pages(hub, StaticFiles())
     entrances = EntrancePages(hub, pages)
     past = PastPages(hub, pages.who)
@@ -76,6 +80,7 @@ def application(
         gc.freeze()  # what is loaded is needed for good: no collection has to look at it again
         yield
         seats.stop()
+        await rehearsals.stop()
         sessions.stop()
         await hub.stop()
 
@@ -96,6 +101,12 @@ def application(
 
         account = await pages.who(websocket.cookies)
         await serve_help(seats, websocket, account, still)
+
+    async def rehearse(websocket: WebSocket) -> None:
+        async def who() -> Account | None:
+            return await pages.who(websocket.cookies)
+
+        await rehearsal_socket(hub, rehearsals, websocket, who)
 
     def no_disk(_: HTTPConnection, __: Exception) -> Response:
         return refused(503, "disk", NO_DISK, DISK_HELP)
@@ -124,6 +135,7 @@ def application(
             Route("/ways", entrances.change, methods=["POST"]),
             WebSocketRoute("/ws", socket),
             WebSocketRoute("/lsp", help_),
+            WebSocketRoute("/rehearse", rehearse),
             *ProgramPages(hub, pages.who).routes(),
         ],
     )

@@ -35,7 +35,7 @@ TOO_MUCH: Final = ("limit", "too much was asked at once")
 
 
 async def serve_help(
-    seats: Seats,
+    seats: Seats[int],
     websocket: WebSocket,
     account: Account | None,
     still: Callable[[], Awaitable[bool]],
@@ -75,7 +75,7 @@ class _Talk:
         self,
         websocket: WebSocket,
         helper: Helper,
-        seat: Seat,
+        seat: Seat[int],
         still: Callable[[], Awaitable[bool]],
     ) -> None:
         self._websocket = websocket

@@ -153,6 +153,7 @@ def _step(cause: Cause) -> Json:
     return {
         "program": "" if alone else cause.program,
         "line": 0 if alone else cause.step,
+        "at": 0 if alone else cause.span.line,  # line of its file
         "text": text,
     }
 

@@ -5,6 +5,7 @@ fork, in the session itself. A check begins where nothing is in the hand, so tha
 grasps hold: what may touch whom depends on how it was grasped.
 """
 
+import dataclasses
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
@@ -13,6 +14,7 @@ import msgspec
 
 from vrts.check.collision.collision import check_collisions
 from vrts.check.collision.pairs.findings import EVENT_GAP
+from vrts.check.verdict import CollisionReport
 from vrts.engine.memory.events import Cause, Event, Grasped, HandCommanded, Released
 from vrts.engine.memory.records import Lie, Motion, Placement, Segment
 from vrts.engine.run import Run
@@ -162,6 +164,20 @@ def warm_up(setting: Setting) -> None:
 
 def checked(run: Run, since_s: float, near_miss: float | None, until_s: float = math.inf) -> Found:
     """Return the contacts and near misses that end after a time and begin before another [s]."""
+    report = certified(run, since_s, near_miss, until_s)
+    contacts, near = report.contacts, report.near_misses
+    return Found(
+        run.until_s,
+        tuple(map(_placed_in_program, contact_rows(contacts, None), [c.cause for c in contacts])),
+        tuple(map(_placed_in_program, near_rows(near, None), [n.cause for n in near])),
+        bool(report.undetermined),
+    )
+
+
+def certified(
+    run: Run, since_s: float, near_miss: float | None, until_s: float = math.inf
+) -> CollisionReport:
+    """Return the certified contacts of a run that end after a time and begin before another [s]."""
     begin_s = _begin(run, since_s)
     segments = [s for s in run.timeline.segments if begin_s < s.end_s and s.start_s < until_s]
     window = _Window(
@@ -173,12 +189,7 @@ def checked(run: Run, since_s: float, near_miss: float | None, until_s: float = 
     report = check_collisions(run.scene, window, near_miss=near_miss)
     contacts = [c for c in report.contacts if c.end_s >= since_s]
     near = [n for n in report.near_misses if n.end_s >= since_s]
-    return Found(
-        run.until_s,
-        tuple(map(_placed_in_program, contact_rows(contacts, None), [c.cause for c in contacts])),
-        tuple(map(_placed_in_program, near_rows(near, None), [n.cause for n in near])),
-        bool(report.undetermined),
-    )
+    return dataclasses.replace(report, contacts=tuple(contacts), near_misses=tuple(near))
 
 
 def _needed_from(growing: GrowingRun, since_s: float) -> float:
