@@ -19,7 +19,7 @@ from vrts.live.rehearsing.begun import begun
 from vrts.live.rehearsing.rehearsal import Rehearsal
 from vrts.live.rehearsing.told import Placed, Refused, Told
 from vrts.live.session.marks.checker import warm_up
-from vrts.marking.supervise.limits import Limits, impose
+from vrts.marking.supervise.limits import Limits, for_the_next, impose
 from vrts.pipeline.alone import robot_alone
 
 LIMITS: Final = Limits(cpu_s=1800, memory=600_000_000, file=1_000_000, files=64)
@@ -65,7 +65,7 @@ def serve() -> int:
     child, out = Child(), sys.stdout.buffer
     try:
         for line in sys.stdin.buffer:
-            _allow(ONCE_S)
+            for_the_next(ONCE_S)
             out.write(_encode(child.answer(passed_on(line))) + b"\n")
             out.flush()
     except MemoryError:
@@ -73,19 +73,6 @@ def serve() -> int:
     except BrokenPipeError:
         return 0
     return 0
-
-
-def _allow(seconds: int) -> None:
-    """Have the system end this process when it uses more of the processor from now on [s]."""
-    if sys.platform == "win32":
-        return  # no such limits there: the server's patience is all there is
-    import resource  # Windows has none
-
-    used = resource.getrusage(resource.RUSAGE_SELF)
-    _, most = resource.getrlimit(resource.RLIMIT_CPU)
-    soft = int(used.ru_utime + used.ru_stime) + seconds + 1
-    if most == resource.RLIM_INFINITY or soft < most:
-        resource.setrlimit(resource.RLIMIT_CPU, (soft, most))
 
 
 def _yield() -> None:
