@@ -168,10 +168,11 @@ def command(
         fail("`--output` goes with `--export-user`")
     if add_user or purge_user or export_user or verify_logs or accept_logs or backup:
         from vrts.live.settings import DATABASE
-        from vrts.live.store.unusable import in_one_sentence, require_ours
+        from vrts.live.store.unusable import in_one_sentence, require_ours, require_whole
 
         with in_one_sentence(folder / DATABASE):
             require_ours(folder / DATABASE)
+            require_whole(folder / DATABASE)
             if add_user or backup:
                 administer(folder, add_user, backup, supervisor=supervisor)
             if export_user:

@@ -28,13 +28,14 @@ def change_ways_in(folder: Path, change: Change) -> None:
     """
     from vrts.live.settings import DATABASE
     from vrts.live.store.database import opened
-    from vrts.live.store.unusable import in_one_sentence, require_ours
+    from vrts.live.store.unusable import in_one_sentence, require_ours, require_whole
 
     path = folder / DATABASE
     if not path.is_file():
         fail(f"there is no server's database in `{folder}`")
     with in_one_sentence(path):
         require_ours(path)
+        require_whole(path)
         connection = opened(path)
         try:
             if change.end or change.renew or change.link:
