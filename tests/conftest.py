@@ -14,6 +14,7 @@ import pytest
 from hypothesis import settings
 from xdist.scheduler import LoadScopeScheduling
 
+from tests import constants
 from tests.laws import ALL, examples
 from tests.times import seconds
 
@@ -26,6 +27,7 @@ settings.register_profile(
     "vrts", deadline=None, derandomize=True, database=None, max_examples=examples(100)
 )
 settings.load_profile("vrts")
+constants.fix()
 
 # shells start what is in the background deaf to Ctrl-C, and every process that a test starts
 # inherits that: tests that interrupt one would wait for ever
