@@ -9,13 +9,14 @@ import os
 import shutil
 import signal
 import tempfile
+from pathlib import Path
 
 import pytest
 from hypothesis import settings
 from xdist.scheduler import LoadScopeScheduling
 
-from tests import constants
-from tests.laws import ALL, examples
+from tests import constants, marked
+from tests.laws import examples
 from tests.times import seconds
 
 BROWSERS = "tests/browser"
@@ -76,16 +77,20 @@ def pytest_xdist_make_scheduler(config: pytest.Config, log: object) -> InGroups:
     return InGroups(config, log)  # pyright: ignore[reportArgumentType]
 
 
+def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
+    """Look into no file that cannot hold what is asked for."""
+    if collection_path.suffix != ".py" or config.args_source is pytest.Config.ArgsSource.ARGS:
+        return None
+    return None if marked.may_hold(config.option.markexpr, collection_path) else True
+
+
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Put the slowest group first, by what was measured; laws with all examples are thorough.
 
     Files that are named keep their order.
     """
-    if ALL:
-        for item in items:
-            if getattr(getattr(item, "obj", None), "is_hypothesis_test", False):
-                item.add_marker("thorough")
+    marked.mark_laws(items)
     if config.args_source is pytest.Config.ArgsSource.ARGS:
         return
     known = seconds()

@@ -14,7 +14,8 @@ def rules() -> dict[str, list[tuple[str, Path]]]:
     """Return slug and file of every `Rule("Vnnn", "slug")` in the package, by code."""
     found: dict[str, list[tuple[str, Path]]] = {}
     for path in sorted(PACKAGE.rglob("*.py")):
-        for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+        text = path.read_text("utf-8")
+        for node in ast.walk(ast.parse(text)) if "Rule(" in text else ():
             if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
                 values = [a.value for a in node.args if isinstance(a, ast.Constant)]
                 if node.func.id == "Rule" and len(values) == 2:

@@ -1,6 +1,7 @@
 """Every word of the language has its place in the manual, with an example that was executed."""
 
 import re
+from functools import cache
 
 import pytest
 
@@ -13,22 +14,34 @@ from vrts.report.support import RUNS, Entry, entries
 from vrts.scene.default import robot_alone
 from vrts.site.generated.cheat_sheet import GROUPS, PROGRAM, cheat_sheet, members
 from vrts.site.generated.rules import about, rules_of
-from vrts.site.generated.word_examples import all_cases, case_of, dialogue_of, sample_program
+from vrts.site.generated.word_examples import Cases, all_cases, case_of, dialogue_of, sample_program
 from vrts.site.generated.word_pages import form, has_section, label_of, page_of, word_pages
 
 SPEC = ROOT / "tests" / "spec"
 MANUAL = ROOT / "vrts" / "manual"
-CASES = all_cases(SPEC)
-ALL = entries()
-PAGES = word_pages(MANUAL, SPEC)
+
+
+@cache
+def cases() -> Cases:
+    return all_cases(SPEC)
+
+
+@cache
+def everything() -> tuple[Entry, ...]:
+    return entries()
+
+
+@cache
+def pages() -> dict[str, str]:
+    return word_pages(MANUAL, SPEC)
 
 
 def test_every_word_stands_in_the_list_and_on_its_page() -> None:
-    index = PAGES["index"]
-    for entry in ALL:
+    index = pages()["index"]
+    for entry in everything():
         word = re.sub(r"([$#_*])", r"\\\1", entry.word)
         assert f"| [{word}](" in index, entry.word
-        page = PAGES[page_of(entry)]
+        page = pages()[page_of(entry)]
         assert (f"({label_of(entry)})=\n" in page) == has_section(entry), entry.word
         shown = f"`{form(entry)}`"
         in_table = shown.replace("|", "\\|")
@@ -36,22 +49,22 @@ def test_every_word_stands_in_the_list_and_on_its_page() -> None:
 
 
 def test_no_two_words_have_one_label() -> None:
-    labels = [label_of(entry) for entry in ALL]
+    labels = [label_of(entry) for entry in everything()]
     assert sorted(labels) == sorted(set(labels))
 
 
 def test_most_words_of_val2_are_shown_by_a_case_with_what_it_does() -> None:
     kinds = ("instruction", "function", "operator", "constant")
-    words = [e for e in ALL if e.state == RUNS and "2" in e.dialects and e.kind in kinds]
-    shown = [e for e in words if case_of(e, CASES) is not None]
+    words = [e for e in everything() if e.state == RUNS and "2" in e.dialects and e.kind in kinds]
+    shown = [e for e in words if case_of(e, cases()) is not None]
     assert len(shown) > 0.8 * len(words)
-    commands = [e for e in ALL if e.state == RUNS and e.kind == "command"]
-    assert sum(dialogue_of(e, CASES) is not None for e in commands) > 0.8 * len(commands)
+    commands = [e for e in everything() if e.state == RUNS and e.kind == "command"]
+    assert sum(dialogue_of(e, cases()) is not None for e in commands) > 0.8 * len(commands)
 
 
 def test_an_example_shows_its_word_in_its_language() -> None:
-    for entry in ALL:
-        case = case_of(entry, CASES) if entry.kind != "command" else None
+    for entry in everything():
+        case = case_of(entry, cases()) if entry.kind != "command" else None
         if case is not None:
             assert entry.word in case.program, entry.word
             assert set(DIALECTS[case.dialect].letters) & set(entry.dialects), entry.word
@@ -59,8 +72,8 @@ def test_an_example_shows_its_word_in_its_language() -> None:
 
 def samples() -> list[Entry]:
     """Return the words whose example is a step that no case of the spec executes."""
-    own = [e for e in ALL if has_section(e) and e.kind != "command"]
-    return [e for e in own if case_of(e, CASES) is None]
+    own = [e for e in everything() if has_section(e) and e.kind != "command"]
+    return [e for e in own if case_of(e, cases()) is None]
 
 
 GIVEN = """\
@@ -131,7 +144,7 @@ def test_a_word_leads_to_its_rules_and_their_sources(word: str) -> None:
     rules = rules_of(MANUAL / "language")
     found = about(word, rules)
     assert found
-    section = PAGES["instructions"].partition(f"## {word}\n")[2].partition("\n## ")[0]
+    section = pages()["instructions"].partition(f"## {word}\n")[2].partition("\n## ")[0]
     for rule in found:
         assert f"](#{rule.label})" in section
     assert "Source\n: " in section
@@ -142,14 +155,14 @@ def test_a_word_leads_to_its_rules_and_their_sources(word: str) -> None:
 
 def test_the_cheat_sheet_holds_every_instruction_of_val2_that_runs_once() -> None:
     listed = [word for group in GROUPS for kind, word in members(group) if kind == "instruction"]
-    wanted = [e.word for e in ALL if e.kind == "instruction" and "2" in e.dialects]
-    runs = {e.word for e in ALL if e.kind == "instruction" and e.state == RUNS}
+    wanted = [e.word for e in everything() if e.kind == "instruction" and "2" in e.dialects]
+    runs = {e.word for e in everything() if e.kind == "instruction" and e.state == RUNS}
     assert sorted(listed) == sorted(word for word in wanted if word in runs)
 
 
 def test_the_cheat_sheet_says_what_the_vocabulary_says() -> None:
     page = cheat_sheet()
-    moves = next(e for e in ALL if e.word == "MOVES")
+    moves = next(e for e in everything() if e.word == "MOVES")
     assert f"`{moves.usage}`\n: {moves.about}\n" in page
 
 

@@ -38,7 +38,7 @@ def play(scene: str, program: Path) -> None:
     assert done.returncode == 0, done.stdout + done.stderr
 
 
-@pytest.mark.parametrize("example", FIRST_AND_OTHERS)
+@pytest.mark.parametrize("example", FIRST_AND_OTHERS)  # the others are thorough
 def test_every_example_goes_forward_and_back(example: Path) -> None:
     play("forward and back", example)
 
