@@ -30,6 +30,8 @@ settings.register_profile(
 settings.load_profile("vrts")
 constants.fix()
 
+gc.disable()  # while tests are read: what they are made of stays
+
 # shells start what is in the background deaf to Ctrl-C, and every process that a test starts
 # inherits that: tests that interrupt one would wait for ever
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
@@ -105,6 +107,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 def pytest_collection_finish() -> None:
     """Let the collector of garbage look less often, and not at what stays: tests and modules."""
+    gc.enable()
     gc.collect()
     gc.freeze()
     gc.set_threshold(50_000, 20, 50)

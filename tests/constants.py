@@ -8,6 +8,7 @@ of what vrts holds now; all laws then have other examples.
 
 import json
 from pathlib import Path
+from typing import cast
 
 from hypothesis.internal import constants_ast
 from hypothesis.internal.conjecture import providers
@@ -21,10 +22,14 @@ PRODUCT = ROOT / "vrts"
 
 def fix() -> None:
     """Let Hypothesis draw from the list, and look at no module."""
-    fixed = providers._local_constants  # pyright: ignore[reportPrivateUsage]
+    fixed = cast("Constants", vars(providers)["_local_constants"])
     for constant in read():
         fixed.add(constant)
-    providers._get_local_constants = lambda: fixed  # pyright: ignore[reportPrivateUsage]
+
+    def known() -> Constants:
+        return fixed
+
+    providers._get_local_constants = known  # pyright: ignore[reportPrivateUsage]
 
 
 def read() -> Constants:

@@ -48,9 +48,14 @@ DATED = re.compile(r"\[([A-Z][A-Za-z]+\d{4}[a-z]?)\]")
 TYPED = {  # commands that other tests type: tests/unit/site/test_first_page.py, tests/golden
     *(("index", "sh"), ("learn/server", "console")),
 }
-TEXTS = frozenset(path.name for path in ROOT.rglob("*.md") if ".venv" not in path.parts) | {
-    "sheet.md"  # written beside programs for other controllers
-}
+HERE = [path for path in ROOT.iterdir() if path.name != ".venv"]  # which holds a great deal
+TEXTS = frozenset(
+    [
+        "sheet.md",  # written beside programs for other controllers
+        *(path.name for path in HERE if path.suffix == ".md"),
+        *(path.name for folder in HERE if folder.is_dir() for path in folder.rglob("*.md")),
+    ]
+)
 NOT_HERE = re.compile(r"\b(?:val2|puma|paper|traps)\.md\b")  # notes that nobody outside has
 
 
