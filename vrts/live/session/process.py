@@ -9,6 +9,7 @@ import select
 import time
 from collections.abc import Callable
 from contextlib import closing
+from dataclasses import replace
 from pathlib import Path
 
 import msgspec
@@ -49,6 +50,7 @@ from vrts.report.page.viewer_data import scene_data
 
 FIRST = 30.0  # [s] within which the first order has to come
 LIMITS = Limits(cpu_s=12 * 3600, memory=1_000_000_000)
+MARGIN = 16_000_000  # bytes by which a file may be longer than the quota of the history
 NO_MEMORY, CANNOT_BEGIN, SERVER_GONE, UNREADABLE = 71, 1, 74, 76  # exit statuses
 
 Clock = Callable[[], float]
@@ -81,7 +83,7 @@ def _serve(inbox: Inbox, outbox: Outbox, readable: int, clock: Clock) -> int:
         headlines = [found.headline for found in refused.diagnostics if found.is_error]
         return _failed(outbox, "; ".join(headlines[:3]), CANNOT_BEGIN)
     scene = scene_data(setting.scene, setting.task)
-    impose(LIMITS)
+    impose(replace(LIMITS, file=max(LIMITS.file, start.history) + MARGIN))
     warm_up(setting)
     try:
         session, anew = _begun(start, setting, scene, outbox, readable, clock)

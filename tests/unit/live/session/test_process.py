@@ -35,6 +35,7 @@ from vrts.live.session.channel.messages import (
     Stop,
 )
 from vrts.live.session.views.frame import RUNNING, PoseFrame, unpacked
+from vrts.live.settings import HISTORY_QUOTA
 
 ENDLESS = ".PROGRAM loop()\n 10 x = x + 1\n GOTO 10\n.END\n"
 
@@ -209,6 +210,8 @@ def test_contacts_are_certified_beside_the_session(piped: Piped) -> None:
 
 def test_stop_and_the_end_of_input_end_the_process(piped: Piped) -> None:
     piped.until(Ready)
+    limit, _ = psutil.Process(piped.process.pid).rlimit(psutil.RLIMIT_FSIZE)
+    assert limit > HISTORY_QUOTA, "the quota is reached, and not the limit"
     piped.send(Stop())
     assert piped.process.wait(10.0) == 0
 

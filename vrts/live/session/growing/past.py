@@ -9,8 +9,8 @@ the session's folder, in records:
 
 Any time in it is had from the state before and the commands since. The file serves the process that
 wrote it and nobody else: a session that is carried on writes it again while it repeats the log,
-which holds everything, whatever becomes of this file. When the file reaches its quota, the oldest
-states go first, with all that was done before the next one.
+which holds everything, whatever becomes of this file. Before the file would exceed its quota, the
+oldest states go, with all that was done before the next one.
 """
 
 import os
@@ -118,31 +118,45 @@ class Past:
             return
         form = GraphWriter(self._given, (EventOrder,)).write(value)
         data = zlib.compress(msgspec.msgpack.encode(form), 1)
-        record = _Record(kind, time_s, self.size, len(data), count)
         try:
             if self.path.with_name(OFF).exists():
                 self._give_up(PURGED)
                 return
-            if not self._records:
-                os.close(os.open(self.path, os.O_CREAT | os.O_TRUNC | os.O_WRONLY, 0o600))
-            with self.path.open("r+b") as file:
-                file.seek(record.at)
-                file.write(data)
-            self._records.append(record)
-            if self.size > self._quota:
-                self._drop_oldest()
+            full = self.size + len(data) > self._quota
+            if full:
+                self._drop_oldest(len(data))
+            room = self.size + len(data) <= self._quota
+            if room and (self._records or kind == STATE):  # without a state nothing is of use
+                self._write(_Record(kind, time_s, self.size, len(data), count), data)
+            if full and self._records:
+                self.said.append(LOST.format(self._records[0].time_s, FULL))
+            elif full:
+                self.said.append(f"{FULL}: only what is in memory can be gone back to")
         except OSError as problem:
             self._give_up(problem.strerror or "it cannot be written")
 
-    def _drop_oldest(self) -> None:
-        """Let the oldest states go with all that was done before the next one."""
-        gone, most = 0, KEPT * self._quota
+    def _write(self, record: _Record, data: bytes) -> None:
+        """Add a record to the file."""
+        if not self._records:
+            os.close(os.open(self.path, os.O_CREAT | os.O_TRUNC | os.O_WRONLY, 0o600))
+        with self.path.open("r+b") as file:
+            file.seek(record.at)
+            file.write(data)
+        self._records.append(record)
+
+    def _drop_oldest(self, coming: int) -> None:
+        """Let the oldest states go with all that was done before the next one.
+
+        Args:
+            coming: Bytes that there has to be room for.
+        """
+        gone, most = 0, min(KEPT * self._quota, self._quota - coming)
         states = [k for k, record in enumerate(self._records) if record.kind == STATE]
         for number in states[1:]:
             gone = number
             if self.size - self._records[number].at <= most:
                 break
-        if gone == 0 or self.size - self._records[gone].at > self._quota:
+        if gone == 0 or self.size - self._records[gone].at > self._quota - coming:
             gone = len(self._records)
         begin = self._records[gone].at if gone < len(self._records) else self.size
         part = self.path.with_suffix(".part")
@@ -153,10 +167,6 @@ class Past:
             file.write(left)
         part.replace(self.path)
         self._records = [r._replace(at=r.at - begin) for r in self._records[gone:]]
-        if self._records:
-            self.said.append(LOST.format(self._records[0].time_s, FULL))
-        else:
-            self.said.append(f"{FULL}: only what is in memory can be gone back to")
 
     def _give_up(self, why: str) -> None:
         """Keep nothing any more; a session is not ended by that."""

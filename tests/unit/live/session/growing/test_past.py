@@ -1,6 +1,7 @@
 """What is older than ten minutes: gone back to from the file, exactly, and with an end."""
 
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -12,7 +13,7 @@ from vrts.live.session.again.replay import replay
 from vrts.live.session.channel.messages import Happened
 from vrts.live.session.growing.folder import FILE, OFF
 from vrts.live.session.growing.growing_run import GrowingRun
-from vrts.live.session.growing.past import Past
+from vrts.live.session.growing.past import FULL, Past
 from vrts.live.session.views.program import as_program
 from vrts.scene.model import Scenario
 
@@ -169,6 +170,23 @@ def test_a_full_file_loses_what_is_oldest_and_says_so(tmp_path: Path) -> None:
     at_s = growing.reaches_s + 0.7
     assert driven.done(driven.act(do.Rewind(at_s))).accepted
     assert driven.session.run.at(at_s).configuration == whole.at(at_s).configuration
+
+
+def test_the_quota_is_reached_before_the_limit_of_the_system(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    longest = 0
+
+    def written(past: Past, record: Any, data: bytes) -> None:
+        nonlocal longest
+        longest = max(longest, record.at + len(data))
+        writes(past, record, data)
+
+    writes = Past._write  # pyright: ignore[reportPrivateUsage]
+    monkeypatch.setattr(Past, "_write", written)
+    growing = grown(kept(tmp_path, 40_000), 150.0)
+    assert 20_000 < longest <= 40_000, "the file is never longer, not even for a moment"
+    assert FULL in growing.said[-1]
 
 
 def test_a_file_that_is_gone_or_changed_ends_no_session(tmp_path: Path) -> None:
