@@ -55,6 +55,9 @@ def enter(
     if member is None:
         make_way(hub, room, account, address)
         member = Member(account, room.id)
+        for other in hub.everybody():
+            if other.account.id == account.id:
+                member.share(other)
         room.members[member.id] = member
         if account.id not in room.came:  # once a session: who comes again and again fills no log
             room.came.add(account.id)

@@ -8,7 +8,7 @@ from typing import Any, Final
 from vrts.live.door import text_frame
 from vrts.live.entrance.ways_in import WaysIn
 from vrts.live.lasting.clock import wall
-from vrts.live.limits import BRANCHES, Buckets
+from vrts.live.limits import BRANCHES, TURNS, Buckets
 from vrts.live.notices.announcement import Announcement
 from vrts.live.passwords import Passwords
 from vrts.live.protocol.coding import encode
@@ -25,6 +25,10 @@ from vrts.live.tokens import grouped
 
 NO_DISK: Final = "the server's disk takes nothing more, so nothing can be done now but panic"
 DISK_HELP: Final = "tell who runs the server to make room; it goes on by itself then"
+DISK_LOST: Final = (
+    "the server's disk has room again: {} records of who came, had control or pressed stop again"
+    " were too many to wait, and are lost; all other that was done is recorded"
+)
 DISK_AGAIN: Final = "the server's disk has room again: all that was done is recorded"
 _log = logging.getLogger("vrts.live")
 
@@ -48,6 +52,7 @@ class Hub:
         self.projector = ""
         self.branching: set[int] = set()  # accounts whose private rooms are being made
         self.branches = Buckets(*BRANCHES)  # how many each account begins
+        self.turns = Buckets(*TURNS)  # how often each account asks for control
         self.purges = -1  # how often somebody was purged; -1: not known yet
         self.stopping = False
         self._tasks: set[asyncio.Task[Any]] = set()
@@ -67,7 +72,9 @@ class Hub:
         """Tell everybody that nothing can be recorded, or that it can again; it is not kept."""
         for room in self.rooms.values():
             number = room.next_number()
-            text = f"{NO_DISK}; {DISK_HELP}" if problem else DISK_AGAIN
+            lost = self.journal.lost
+            again = DISK_LOST.format(lost) if lost else DISK_AGAIN
+            text = f"{NO_DISK}; {DISK_HELP}" if problem else again
             room.tell(Chat(number, wall(), "", "", text), number)
 
     def entries(self, account: Account) -> tuple[RoomEntry, ...]:

@@ -5,6 +5,7 @@ import contextlib
 from collections.abc import Callable
 from typing import Final
 
+from vrts.live import limits
 from vrts.live.lasting.clock import wall
 from vrts.live.notices.kept import KeptNotice, end_notice, keep_notice
 from vrts.live.protocol.coding import encode
@@ -22,16 +23,29 @@ from vrts.live.store.waiting.journal import NO_ROOM
 
 LOG_FULL: Final = "the log of this session is full, so nothing more can be done in it but panic"
 LOG_HELP: Final = "a supervisor can begin another session: choose the scene again"
+OFTEN: Final = {  # records that everybody can cause, and what is said when there are too many
+    "control": f"control has changed {limits.RECORDS} times in this session: from now on the log"
+    " does not tell who has it, but still whose each command is",
+    "join": f"{limits.RECORDS} people have come into this session: from now on the log does not"
+    " tell who comes, but still whose each command is",
+}
 
 
 def record(
     hub: Hub, room: Room, kind: str, account: Account | None, what: dict[str, object]
 ) -> None:
-    """Put something that is no command into the log."""
+    """Put something that is no command into the log; what comes very often only so often."""
+    if kind in OFTEN:
+        room.recorded[kind] += 1
+        if room.recorded[kind] > limits.RECORDS:
+            if room.recorded[kind] == limits.RECORDS + 1:
+                hub.spawn(announce(hub, room, OFTEN[kind]))
+            return
     text = encode(what).decode()
     known = None if kind == "begin" else room.reached
     at_s = 0.0 if known is None else known.time_s
-    log_soon(hub, stamped(room, kind, account, text, at_s=at_s, accepted=True))
+    entry = stamped(room, kind, account, text, at_s=at_s, accepted=True)
+    log_soon(hub, entry, needed=kind not in OFTEN)
 
 
 def control_changed(hub: Hub, room: Room) -> None:
@@ -42,10 +56,10 @@ def control_changed(hub: Hub, room: Room) -> None:
     record(hub, room, "control", None if holder is None else holder.account, {})
 
 
-def log_soon(hub: Hub, entry: Entry) -> "asyncio.Future[None]":
+def log_soon(hub: Hub, entry: Entry, *, needed: bool = True) -> "asyncio.Future[None]":
     """Put an entry into the log after all that were put before; return when it is written.
 
-    It is written in any case, after a while if there is no room for it now.
+    It is written after a while if there is no room for it now, as long as not too many wait.
     """
     room = hub.rooms.get(entry.room)
     if room is not None:
@@ -53,7 +67,7 @@ def log_soon(hub: Hub, entry: Entry) -> "asyncio.Future[None]":
         if room.logged > hub.settings.log_quota and not room.log_full:
             room.log_full = True
             hub.spawn(announce(hub, room, f"{LOG_FULL}; {LOG_HELP}"))
-    return hub.journal.put(entry)
+    return hub.journal.put(entry, needed=needed)
 
 
 def stamped(

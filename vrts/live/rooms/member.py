@@ -46,6 +46,11 @@ class Member:
         """Whether the account may supervise."""
         return self.account.supervisor
 
+    def share(self, other: "Member") -> None:
+        """Share what one account may ask for with another place of it."""
+        self.chat, self.questions = other.chat, other.questions
+        self.looks, self.programs = other.looks, other.programs
+
     def send(self, frame: bytes) -> None:
         """Send a reliable frame, if there is somebody and they have their snapshot."""
         if self.door is not None and self.settled:

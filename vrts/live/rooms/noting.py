@@ -10,7 +10,7 @@ from vrts.live.names import readable
 from vrts.live.protocol.coding import encode
 from vrts.live.protocol.from_server import Noted
 from vrts.live.refusal import NotObeyed
-from vrts.live.rooms.hub import Hub
+from vrts.live.rooms.hub import DISK_HELP, NO_DISK, Hub
 from vrts.live.rooms.keeping import LOG_FULL, LOG_HELP, log_soon, stamped
 from vrts.live.rooms.member import Member
 from vrts.live.rooms.room import Asked, Room
@@ -35,6 +35,8 @@ def put_note(hub: Hub, room: Room, member: Member, text: str, now: float) -> Non
         raise NotObeyed("muted", "the supervisor has muted you")
     if not member.chat.take(now):
         raise NotObeyed("rate", "too many notes at once", "wait a few seconds")
+    if hub.journal.problem:
+        raise NotObeyed("disk", NO_DISK, DISK_HELP)
     if room.logged > hub.settings.log_quota:
         raise NotObeyed("log", LOG_FULL, LOG_HELP)
     words, reached = readable(text), room.reached

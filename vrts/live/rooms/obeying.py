@@ -69,8 +69,7 @@ async def obey(hub: Hub, sessions: Sessions, member: Member, message: FromClient
             member.rate = message.rate
             room.tell_people_soon()
         case RequestControl():
-            if room.control.request(member.id, now):
-                control_changed(hub, room)
+            _ask_for_control(hub, room, member, now)
         case HandBack():
             if room.control.hand_back(member.id, now):
                 control_changed(hub, room)
@@ -98,6 +97,15 @@ async def obey(hub: Hub, sessions: Sessions, member: Member, message: FromClient
             if not member.supervisor:
                 raise NotObeyed("role", "only a supervisor may do this")
             await supervise(hub, sessions, room, member, message)
+
+
+def _ask_for_control(hub: Hub, room: Room, member: Member, now: float) -> None:
+    if member.id in (room.control.holder, *room.control.queue):
+        return
+    if not hub.turns.take(member.account.id, now):
+        raise NotObeyed("rate", "you ask for control too often", "wait a few seconds")
+    if room.control.request(member.id, now):
+        control_changed(hub, room)
 
 
 def _panic(room: Room, member: Member) -> None:

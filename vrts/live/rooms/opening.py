@@ -1,24 +1,28 @@
 """Rooms that are opened, changed and closed, and forget who was purged."""
 
+import asyncio
 from typing import Final
 
 import msgspec
 from msgspec import structs
 
 from vrts.live.notices.announcement import Announcement
-from vrts.live.notices.kept import EVERYWHERE, SOMEBODY, notice_of
+from vrts.live.notices.kept import EVERYWHERE, SOMEBODY, end_notice, notice_of
 from vrts.live.protocol.fields import Role
 from vrts.live.protocol.from_server import Chat, Stopped
 from vrts.live.refusal import NotObeyed
+from vrts.live.rooms.again.folders import remove_all_closed
 from vrts.live.rooms.audience import EVERYBODY, Audience
 from vrts.live.rooms.control import ControlRight
 from vrts.live.rooms.entering import send_away
 from vrts.live.rooms.hub import Hub
 from vrts.live.rooms.room import Room
+from vrts.live.settings import SESSIONS
 from vrts.live.store.accounts import existing
 from vrts.live.store.bars import all_muted, bars_of
 from vrts.live.store.branches import branch_of
 from vrts.live.store.database import Connection
+from vrts.live.store.programs import end_closed_shelves, end_shelf
 from vrts.live.store.rooms import (
     PURGES,
     KeptRoom,
@@ -40,8 +44,11 @@ async def open_kept(hub: Hub) -> None:
     told = await hub.database.do(lambda connection: notice_of(connection, EVERYWHERE))
     if told is not None:
         hub.announcement = Announcement(*told[1:3], told.name, told.text, told.account or 0)
+    await hub.database.do(end_closed_shelves)
     for kept in await hub.database.do(open_rooms):
         await open_room(hub, kept)
+    sessions = hub.settings.folder / SESSIONS
+    await asyncio.to_thread(remove_all_closed, sessions, list(hub.rooms))
 
 
 async def make_room(hub: Hub, name: str, scene: str) -> Room:
@@ -75,7 +82,7 @@ async def open_room(hub: Hub, kept: KeptRoom) -> Room:
 
 async def close(hub: Hub, room: Room) -> None:
     """End a room for good."""
-    await hub.database.do(lambda connection: close_room(connection, room.id))
+    await hub.database.do(lambda connection: _close(connection, room.id))
     hub.rooms.pop(room.id, None)
     if hub.projector == room.id:
         hub.projector = next((r.id for r in hub.rooms.values() if r.branch is None), "")
@@ -92,6 +99,12 @@ async def change(hub: Hub, room: Room, kept: KeptRoom) -> None:
     room.kept = kept
     room.control.turn_s, room.control.idle_s = kept.turn_s, kept.idle_s
     await hub.database.do(lambda connection: keep_room(connection, kept))
+
+
+def _close(connection: Connection, room: str) -> None:
+    close_room(connection, room)
+    end_shelf(connection, room)
+    end_notice(connection, room)
 
 
 def _stopped(connection: Connection, room: str) -> Stopped | None:

@@ -2,7 +2,7 @@
 
 import asyncio
 import time
-from collections import deque
+from collections import Counter, deque
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Final, NamedTuple
@@ -79,6 +79,7 @@ class Room:
     frozen: bool = False
     logged: int = 0  # bytes of the log of the session
     log_full: bool = False  # that was told
+    recorded: Counter[str] = field(default_factory=Counter[str])  # records that anybody can cause
     barred: Bars = field(default_factory=dict[int, str])  # who may not enter
     members: dict[str, Member] = field(default_factory=dict[str, Member])
     control: ControlRight = field(default_factory=ControlRight)

@@ -3,8 +3,8 @@
 import asyncio
 import contextlib
 import hashlib
-import shutil
 import time
+from collections import Counter
 from pathlib import Path
 from typing import Final
 
@@ -26,6 +26,7 @@ from vrts.live.protocol.from_server import (
 )
 from vrts.live.refusal import NotObeyed
 from vrts.live.rooms.again.deaths import Deaths
+from vrts.live.rooms.again.folders import BEFORE, empty_earlier, remove_closed
 from vrts.live.rooms.again.words import command_words, died_too_often, not_offered
 from vrts.live.rooms.audience import Audience
 from vrts.live.rooms.entering import settle
@@ -46,15 +47,12 @@ from vrts.live.rooms.room import PANIC, Asked, Room
 from vrts.live.rooms.wall import learn_bodies
 from vrts.live.session.channel.entries import Entry, write_entries
 from vrts.live.session.channel.messages import Act, Halt, Start
-from vrts.live.session.growing.folder import empty
 from vrts.live.settings import SESSIONS
 from vrts.live.store import log as store_log
 from vrts.live.store.progress import keep_reached
 from vrts.live.store.rooms import next_number
 from vrts.live.store.waiting.journal import NO_ROOM, RETRY_S
 
-BEFORE: Final = "before.jsonl"  # in a session's folder: what was done before it ended
-LEFT: Final = 4  # folders of a room's earlier sessions that stay
 STARTING: Final = 2  # sessions that begin at the same time
 NOT_LOGGED: Final = "this was done, but could not be recorded yet: tell the supervisor"
 CANNOT_BEGIN: Final = "the server cannot begin the session"
@@ -71,6 +69,7 @@ class Sessions:
         """Serve a hub."""
         self._hub = hub
         self._starting = asyncio.Semaphore(STARTING)
+        self._folder = hub.settings.folder / SESSIONS
 
     def begin(self, room: Room) -> None:
         """Keep a session going in a room until it is closed: as its log says, or a new one."""
@@ -121,6 +120,8 @@ class Sessions:
                 pause_s = RETRY_S * 2.0 ** min(failed - 1, DOUBLED)
                 with contextlib.suppress(TimeoutError):
                     await asyncio.wait_for(room.wake.wait(), pause_s)
+        if room.id not in self._hub.rooms:
+            await asyncio.to_thread(remove_closed, self._folder, room.id)
 
     async def _go_a_round(self, room: Room, deaths: Deaths) -> None:
         """Let a session go on or begin, and tell how it ended or why there is none."""
@@ -188,7 +189,7 @@ class Sessions:
         room.pace = FULL_RATE
         place = hub.settings.place(room.kept.scene)
         assert place is not None
-        folder = hub.settings.folder / SESSIONS / f"{room.id}-{number}"
+        folder = self._folder / f"{room.id}-{number}"
         begun = False
 
         def on_pose(payload: bytes) -> None:
@@ -210,7 +211,9 @@ class Sessions:
             history=hub.settings.history_quota,
         )
         logged = await hub.database.do(lambda connection: store_log.size(connection, room.id))
+        counts = await hub.database.do(lambda connection: store_log.counts(connection, room.id))
         room.logged, room.log_full = logged if before is not None else 0, False
+        room.recorded = Counter(counts if before is not None else {})
         if before is not None:
             start = await asyncio.to_thread(_with_before, start, folder / BEFORE, before)
         process = SessionProcess(start, on_pose, on_message)
@@ -253,6 +256,7 @@ class Sessions:
                 if head.carried_s is None:
                     end_stopped(self._hub, room)
                     room.logged = 0
+                    room.recorded.clear()
                     room.notes.clear()
                     room.came = {member.account.id for member in room.members.values()}
                     what: dict[str, object] = {"scene": room.kept.scene, "scene_sha256": scene}
@@ -264,7 +268,8 @@ class Sessions:
                     record(self._hub, room, "carry_on", None, what)
                     if not room.notes:
                         self._hub.spawn(remember_notes(self._hub, room))
-                    self._hub.spawn(_empty_earlier(Path(process.start.folder), room.id))
+                own = Path(process.start.folder)
+                self._hub.spawn(asyncio.to_thread(empty_earlier, own, room.id))
                 if head.anew:
                     self._hub.spawn(self._say_anew(room, head.anew))
                 self._hub.rooms_changed()
@@ -379,20 +384,3 @@ def _with_before(start: Start, file: Path, before: Unfinished) -> Start:
         controller=before.session.controller,
         controller_sha256=before.session.controller_sha256,
     )
-
-
-async def _empty_earlier(own: Path, room: str) -> None:
-    """Remove users' files from the earlier folders of a room; its session has made them again.
-
-    Only the last of the folders stay, with what their sessions said on stderr.
-    """
-
-    def work() -> None:
-        earlier = [folder for folder in own.parent.glob(f"{room}-*") if folder != own]
-        earlier.sort(key=lambda folder: int(folder.name.rpartition("-")[2]))
-        for folder in earlier:
-            empty(folder)
-        for folder in earlier[:-LEFT]:
-            shutil.rmtree(folder, ignore_errors=True)
-
-    await asyncio.to_thread(work)

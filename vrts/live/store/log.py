@@ -55,6 +55,16 @@ def size(connection: sqlite3.Connection, room: str) -> int:
     return int(count * RECORD + texts)
 
 
+def counts(connection: sqlite3.Connection, room: str) -> dict[str, int]:
+    """Return how many records of each kind the log of a room's last session has."""
+    rows = connection.execute(
+        "SELECT kind, count(*) FROM log WHERE room=?1"
+        " AND seq>=(SELECT max(seq) FROM log WHERE room=?1 AND kind='begin') GROUP BY kind",
+        (room,),
+    )
+    return dict(rows.fetchall())
+
+
 def append(connection: sqlite3.Connection, entry: Entry) -> int:
     """Append a record; return its number."""
     last = connection.execute(

@@ -1,7 +1,8 @@
 """Programs that people write in the page: every save is a version, and none is lost unseen.
 
 A shelf is where programs lie: one's own, or that of a room, which all who may enter it share. What
-a person has saved counts against that person alone, so nobody pushes out what others saved.
+a person has saved counts against that person alone, so nobody pushes out what others saved. When a
+room is closed, its shelf ends: the newest that each person saved there goes to their own.
 """
 
 import math
@@ -114,6 +115,37 @@ def save(
 def remove(connection: sqlite3.Connection, shelf: str, name: str) -> None:
     """Forget a program with all its versions."""
     connection.execute("DELETE FROM program_version WHERE shelf=? AND name=?", (shelf, name))
+
+
+def end_shelf(connection: sqlite3.Connection, room: str) -> None:
+    """Give what lies on the shelf of a room to who saved it: of each program their newest.
+
+    Older versions go, and what is of nobody any more.
+    """
+    shelf = room_shelf(room)
+    rows = connection.execute(
+        "SELECT name, number, at, account, saver, length(text), text FROM program_version AS one"
+        " WHERE shelf=? AND text NOT NULL AND account IN (SELECT id FROM account) AND number=("
+        "SELECT max(number) FROM program_version"
+        " WHERE shelf=one.shelf AND name=one.name AND account=one.account)",
+        (shelf,),
+    ).fetchall()
+    connection.execute("DELETE FROM program_version WHERE shelf=?", (shelf,))
+    for *columns, text in rows:
+        version = Version._make(columns)
+        assert version.account is not None
+        own = own_shelf(version.account)
+        newest = next(iter(versions(connection, own, version.name)), None)
+        save(connection, own, version, text, 0 if newest is None else newest.number)
+
+
+def end_closed_shelves(connection: sqlite3.Connection) -> None:
+    """End the shelves of all rooms that were closed."""
+    rows = connection.execute(
+        "SELECT DISTINCT id FROM room JOIN program_version ON shelf='room ' || id WHERE closed"
+    ).fetchall()
+    for (room,) in rows:
+        end_shelf(connection, room)
 
 
 def purge_programs(connection: sqlite3.Connection, account: int) -> None:

@@ -18,6 +18,7 @@ from vrts.live.store.programs import (
     room_shelf,
     room_takes,
 )
+from vrts.live.store.rooms import KeptRoom, keep_room
 
 ANNA, BEN = 7, 8
 ROOM = room_shelf("r1")
@@ -160,3 +161,28 @@ def test_all_guests_together_keep_only_so_much(
     assert together.take(database, two, 40, COUNT_S)
     database.execute("DELETE FROM account WHERE id=?", (one,))
     assert not together.take(database, two, 41, 2 * COUNT_S), "what is there counts, gone or not"
+
+
+def test_the_shelf_of_a_closed_room_goes_to_who_saved_there(database: sqlite3.Connection) -> None:
+    anna, ben = (add_account(database, name, 0.0).id for name in ("Anna", "Ben"))
+
+    def save(shelf: str, account: int, name: str, text: str, seen: int) -> None:
+        version = Version(name, 0, 1.0, account, "", 0)
+        assert programs.save(database, shelf, version, text, seen).saved
+
+    save(own_shelf(anna), anna, "pick", "own", 0)
+    for number, (account, text) in enumerate(((anna, "1"), (anna, "2"), (ben, "3"), (99, "4"))):
+        save(ROOM, account, "pick", text, number)
+    save(ROOM, ben, "place", "5", 0)
+    save(room_shelf("open"), ben, "stays", "6", 0)
+    for room, closed in (("r1", 1), ("open", 0)):
+        keep_room(database, KeptRoom(room, room, "x", 1, True, 0.0, 0.0))
+        database.execute("UPDATE room SET closed=? WHERE id=?", (closed, room))
+    programs.end_closed_shelves(database)
+    assert programs.programs(database, ROOM) == []
+    assert len(programs.programs(database, room_shelf("open"))) == 1
+    assert [
+        (number, programs.text_of(database, own_shelf(anna), "pick", number)) for number in (1, 2)
+    ] == [(1, "own"), (2, "2")]
+    kept = [(one.name, one.length) for one in programs.programs(database, own_shelf(ben))]
+    assert kept == [("pick", 1), ("place", 1)]

@@ -1,7 +1,9 @@
 """Records of the logs, written in the order in which they came, however long the disk is full.
 
 What cannot be written now is kept and tried again; who waits for it is told at once that it was not
-written, so nothing is acknowledged that is not on the disk.
+written, so nothing is acknowledged that is not on the disk. Only so much waits. What comes then is
+lost and counted, first what tells nothing of what was done. Commands are refused meanwhile, but for
+stops, and a stop after another changes nothing.
 """
 
 import asyncio
@@ -17,6 +19,9 @@ from vrts.live.store.log import Entry, append_now
 
 NO_ROOM: Final = sqlite3.OperationalError  # of the disk, which may have room again later
 RETRY_S: Final = 1.0
+MOST_WAITING: Final = 10_000  # records after which those that are not needed do not wait
+MOST: Final = 20_000  # records that wait
+FULL: Final = "too many records wait to be written"
 _TOGETHER: Final = 200  # records of one commit
 _log = logging.getLogger("vrts.live")
 _Waiting = tuple[Entry, "asyncio.Future[None]"]
@@ -33,6 +38,7 @@ class Journal:
     ) -> None:
         """Take what writes, what begins tasks, and who is told of `problem` when it changes."""
         self.problem = ""  # why nothing can be written now; empty: it can
+        self.lost = 0  # records, until that is told
         self._database = database
         self._spawn = spawn
         self._changed = changed
@@ -41,10 +47,19 @@ class Journal:
         self._put = self._written = 0
         self._progress = asyncio.Event()
 
-    def put(self, entry: Entry) -> "asyncio.Future[None]":
-        """Have a record written; the future is fulfilled after the commit, or fails at once."""
+    def put(self, entry: Entry, *, needed: bool = True) -> "asyncio.Future[None]":
+        """Have a record written; the future is fulfilled after the commit, or fails at once.
+
+        Args:
+            entry: The record.
+            needed: Whether it tells what was done, such as a command.
+        """
         future: asyncio.Future[None] = asyncio.get_running_loop().create_future()
         future.add_done_callback(_looked_at)
+        if len(self._waiting) >= (MOST if needed else MOST_WAITING):
+            self.lost += 1
+            future.set_exception(NO_ROOM(FULL))
+            return future
         self._waiting.append((entry, future))
         self._put += 1
         if self.problem:
@@ -101,11 +116,16 @@ class Journal:
         self._progress = asyncio.Event()
 
     def _tell(self, problem: str) -> None:
-        if bool(problem) == bool(self.problem):
+        all_written = not self._waiting and not problem
+        if bool(problem) == bool(self.problem) and not (self.lost and all_written):
             return
         self.problem = problem
         _log.warning(f"the disk: {problem}" if problem else "the disk: there is room again")
+        if self.lost and not problem:
+            _log.warning(f"records that were lost meanwhile: {self.lost}")
         self._changed(problem)
+        if not problem:
+            self.lost = 0
 
 
 def _append(connection: Connection, together: list[_Waiting]) -> None:
