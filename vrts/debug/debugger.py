@@ -197,6 +197,11 @@ class Debugger:
         """Go to a time [s], as near to it as the run reaches."""
         return self._stand(Stop(at_time(self._run, time_s), Why.STEP))
 
+    def jump(self, time_s: float) -> Stop:
+        """Go to a time [s] as `seek` does; a step back leads to the step before, and not here."""
+        self._trail.clear()
+        return self.seek(time_s)
+
     # --- going on -----------------------------------------------------------------------------
 
     def go_on(self) -> Stop:

@@ -1,10 +1,13 @@
 """The way to a rehearsal: who may have one, and in which scene or task it takes place."""
 
+import asyncio
 from collections.abc import Awaitable, Callable
+from typing import Final
 
 from starlette.websockets import WebSocket
 
 from vrts.live.front.guard import refused
+from vrts.live.lasting.clock import steady
 from vrts.live.refusal import NotObeyed
 from vrts.live.rehearsing.asked import Begin, Rehearse
 from vrts.live.rehearsing.offering import Rehearsals, Whose
@@ -15,6 +18,8 @@ from vrts.live.rooms.room import Room
 from vrts.live.session.channel.messages import Start
 from vrts.live.store.accounts import Account
 from vrts.live.store.waiting.journal import NO_ROOM
+
+STATE_S: Final = 30.0  # until the session must have told its state
 
 
 async def rehearsal_socket(
@@ -59,10 +64,33 @@ async def rehearsal_socket(
         place = hub.settings.place(room.kept.scene)
         if place is None:
             raise NotObeyed("scene", NO_SCENE)
-        return Begin(Start(room.session, "", place.scene, place.task, place.lab), order)
+        scene = Start(room.session, "", place.scene, place.task, place.lab)
+        if order.begins == "start":
+            return Begin(scene, order)
+        if not rehearsals.nows.take(account.id, steady()):
+            raise NotObeyed("rate", "you rehearse from now very often: wait a moment")
+        return Begin(scene, order, await _state(room))
 
     whose = Whose(account.id, room.id)
     await serve_rehearsal(Offered(rehearsals, whose, where, still), websocket)
+
+
+async def _state(room: Room) -> str:
+    """Return the state of a room's session, as it is now.
+
+    Raises:
+        NotObeyed: It cannot be had.
+    """
+    process = room.process
+    if process is None or not process.ready or process.behind:
+        raise NotObeyed("session", "the room's session is not ready yet: wait a moment")
+    try:
+        answer = await asyncio.wait_for(process.state(), STATE_S)
+    except TimeoutError:
+        raise NotObeyed("busy", "the room's session did not answer in time") from None
+    if answer.why:
+        raise NotObeyed("session", answer.why)
+    return answer.data
 
 
 def _is_in(room: Room, account: Account) -> bool:

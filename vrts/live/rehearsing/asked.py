@@ -69,7 +69,7 @@ class Begin(msgspec.Struct, frozen=True, tag_field="type", tag="begin"):
 
     where: Start  # scene and task, as the room's session has them
     order: Rehearse
-    state: str = ""  # file of the state of the session that it begins with; the process removes it
+    state: str = ""  # of the session that it begins with, in base64; empty: it begins at the start
 
 
 Asked: TypeAlias = Rehearse | Breakpoints | Go | At | AskBlock | Stop

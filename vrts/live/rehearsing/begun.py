@@ -12,12 +12,14 @@ from vrts.debug.alarms import Alarms, Filter
 from vrts.engine.memory.events import Cause
 from vrts.engine.memory.records import Ending
 from vrts.live.rehearsing.asked import Begin
+from vrts.live.rehearsing.going_on import run_from_now
 from vrts.live.rehearsing.problems import in_one_sentence, problems
 from vrts.live.rehearsing.rehearsal import Rehearsal
 from vrts.live.rehearsing.running import Outcome, run_from_start
 from vrts.live.rehearsing.told import End, Mark, Ready, Refused
 from vrts.live.rehearsing.within import TooLong, within
 from vrts.live.session.channel.messages import Marked
+from vrts.live.session.looking.state import StateLost
 from vrts.live.session.marks.checker import certified
 from vrts.live.session.marks.public_mark import marked
 from vrts.pipeline.files import CannotRead
@@ -30,6 +32,7 @@ CHECK_S: Final = 10.0  # ... for finding contacts and the mark [s]
 MOST_MARKS: Final = 2000
 
 TOO_LONG: Final = "the program takes too much computing to be rehearsed"
+OTHER_SCENE: Final = "the room's session has another scene than the server offers now"
 NOT_CHECKED: Final = "the run is too long to look for contacts in a rehearsal"
 _ENDS: Final = {
     Ending.COMPLETED: "the program is over",
@@ -47,9 +50,11 @@ def begun(begin: Begin) -> tuple[Rehearsal | None, Ready | Refused]:
     of = begin.order.id
     try:
         with within(RUN_S):
-            outcome = run_from_start(begin)
+            outcome = run_from_now(begin) if begin.state else run_from_start(begin)
     except TooLong:
         return None, Refused(of, TOO_LONG)
+    except StateLost:
+        return None, Refused(of, OTHER_SCENE)
     except CannotRead as problem:
         return None, Refused(of, problem.message)
     except SettingRefused as refused:
@@ -59,7 +64,7 @@ def begun(begin: Begin) -> tuple[Rehearsal | None, Ready | Refused]:
         return None, Refused(of, in_one_sentence(outcome.diagnostics), found, more)
     said = (*outcome.diagnostics, *outcome.run.findings)
     found, more = problems(said, outcome.source)
-    rehearsal = Rehearsal(outcome.run, outcome.source, outcome.dialect, outcome.begin_s)
+    rehearsal = Rehearsal(outcome.run, outcome.source, outcome.dialect, outcome.begin)
     report, mark, note = None, None, outcome.note
     try:
         with within(CHECK_S):
@@ -74,8 +79,8 @@ def begun(begin: Begin) -> tuple[Rehearsal | None, Ready | Refused]:
     near = () if report is None else report.near_misses
     return rehearsal, Ready(
         of,
-        outcome.begin_s,
-        run.horizon_s - outcome.begin_s,
+        rehearsal.begin_s,
+        run.horizon_s - rehearsal.begin_s,
         ended,
         rehearsal.stop_at(begin.order.breakpoints),
         tuple(_marks(rehearsal, report, ended))[:MOST_MARKS],

@@ -37,16 +37,16 @@ class Child:
 
     def __init__(self) -> None:
         """Begin without a rehearsal."""
-        self._rehearsal: Rehearsal | None = None
+        self.rehearsal: Rehearsal | None = None
         self._of = 0
 
     def answer(self, order: PassedOn) -> Told:
         """Return the answer to a question."""
         if isinstance(order, Begin):
-            self._of, self._rehearsal = order.order.id, None
-            self._rehearsal, told = begun(order)
+            self._of, self.rehearsal = order.order.id, None
+            self.rehearsal, told = begun(order)
             return told
-        rehearsal = self._rehearsal
+        rehearsal = self.rehearsal
         if rehearsal is None or order.id != self._of:
             return Refused(order.id, NONE)
         match order:

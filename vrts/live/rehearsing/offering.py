@@ -6,11 +6,14 @@ from pathlib import Path
 from typing import Final, NamedTuple
 
 from vrts.live.editing.seats import Seats
+from vrts.live.limits import Buckets
 from vrts.live.rehearsing.process import RehearsalProcess, begun
 
 MOST: Final = 12  # rehearsals at once; each takes about 100 MB
 BEGUN: Final = (0.2, 10.0)  # by one person in one room, a second and at once
+NOWS: Final = (0.5, 6.0)  # states of a session that are asked for: it pays for a fork
 QUIET_S: Final = 60.0  # without a question, after which a seat is given to who finds none free
+AFTER_S: Final = 2.0  # in which who rehearses has the processor for themselves
 SPARE_S: Final = 600.0  # for which a process waits that nobody needs
 
 
@@ -27,6 +30,7 @@ class Rehearsals:
     def __init__(self, place: Path, most: int = MOST) -> None:
         """Begin with none; `place` is a folder that stays empty, made when needed."""
         self.seats: Seats[Whose] = Seats(place, most, begun=BEGUN, quiet_s=QUIET_S)
+        self.nows = Buckets(*NOWS)  # how often each account begins at now
         self._open: dict[Whose, asyncio.Event] = {}
         self._spare: asyncio.Task[RehearsalProcess] | None = None
         self._over: asyncio.TimerHandle | None = None  # when nobody needed the spare one
@@ -87,7 +91,12 @@ class Rehearsals:
         if self._stopped:
             return
         loop = asyncio.get_running_loop()
-        self._spare = loop.create_task(begun(self.seats.folder, warm=True))
+        self._over = loop.call_later(AFTER_S, self._prepare)
+
+    def _prepare(self) -> None:
+        loop = asyncio.get_running_loop()
+        if self._spare is None:
+            self._spare = loop.create_task(begun(self.seats.folder, warm=True))
         self._over = loop.call_later(SPARE_S, self._let_go)
 
     def _let_go(self) -> None:

@@ -10,7 +10,7 @@ from vrts.base.source import SourceFile
 from vrts.debug.breakpoints import Breakpoint, resolve
 from vrts.debug.debugger import Debugger, Stop, Way, Why
 from vrts.debug.frames import frames
-from vrts.debug.passages import Instant
+from vrts.debug.passages import Instant, instant_of
 from vrts.debug.values import scopes
 from vrts.engine.memory.events import Cause, Printed
 from vrts.engine.memory.records import Ending
@@ -44,24 +44,23 @@ _GROUPS: Final = {
 class Rehearsal:
     """One run, and where one stands in it."""
 
-    def __init__(
-        self, run: Run, source: SourceFile, dialect: Dialect, begin_s: float = 0.0
-    ) -> None:
+    def __init__(self, run: Run, source: SourceFile, dialect: Dialect, begin: Instant) -> None:
         """Stand before the first step.
 
         Args:
-            run: Executed to its end; nothing is known of it before `begin_s`, or nothing counts.
+            run: Executed to its end; what was before it began does not count.
             source: The rehearsed text.
             dialect: Of the text.
-            begin_s: When the rehearsal begins, in times of the run [s].
+            begin: When the program was begun.
         """
         # up to the horizon: nothing happens between it and the time up to which it was executed
         self.run = Run(run.machine, run.horizon_s, run.checkpoints)
         self.source = source
-        self.begin_s = begin_s
+        self.begin_s = begin.time_s
         self._debugger = Debugger(self.run, dialect)
-        self._entry = self._first()
+        self._entry = self._first(begin)
         self._debugger.stop = Stop(self._entry, Why.ENTRY)
+        self._fresh = True  # nobody has gone anywhere yet
 
     @property
     def debugger(self) -> Debugger:
@@ -85,8 +84,11 @@ class Rehearsal:
 
     def go(self, of: int, what: What) -> Stopped:
         """Go somewhere, and return what is there."""
-        debugger = self._debugger
+        debugger, fresh = self._debugger, self._fresh
+        self._fresh = False
         match what:
+            case "run" if fresh and self._stops_at_once:
+                debugger.stop = Stop(self._entry, Why.BREAKPOINT)
             case "run":
                 debugger.go_on()
             case "over":
@@ -102,7 +104,7 @@ class Rehearsal:
             case "start":
                 self._to_start()
             case "end":
-                stop = debugger.seek(self.run.horizon_s)
+                stop = debugger.jump(self.run.horizon_s)
                 debugger.stop = stop._replace(why=Why.END)
         if debugger.at < self._entry:
             self._to_start()
@@ -110,7 +112,8 @@ class Rehearsal:
 
     def at(self, of: int, time_s: float) -> Stopped:
         """Go to a time [s], as near to it as the run reaches, and return what is there."""
-        stop = self._debugger.seek(max(time_s, self.begin_s))
+        self._fresh = False
+        stop = self._debugger.jump(max(time_s, self.begin_s))
         if stop.instant < self._entry:
             self._to_start()
         return self._told(of, "time")
@@ -127,16 +130,27 @@ class Rehearsal:
         known = cause is not None and cause.span.source.name == self.source.name
         return cause.span.line if cause is not None and known else 0
 
+    @property
+    def _stops_at_once(self) -> bool:
+        """Whether a breakpoint is at the first step."""
+        passages, code = self._debugger.passages(process=False), self.run.history.code
+        first = passages.following(self._entry)
+        if first >= passages.count:
+            return False
+        lines = [point.line for point in self._debugger.wishes.lines]
+        found = [resolve(code, self.source.name, line) for line in lines]
+        number = int(passages.instructions[first])
+        return any(known is not None and number in known.instructions for known in found)
+
     # --- parts --------------------------------------------------------------------------------
 
-    def _first(self) -> Instant:
-        """Return the instant of the first step."""
+    def _first(self, begin: Instant) -> Instant:
+        """Return the instant of the first step, once the program was begun."""
         passages = self._debugger.passages(process=False)
-        begun = Instant(self.begin_s, self.run.history.finished_at(self.begin_s))
-        if self.begin_s == 0.0:
-            begun = Instant(0.0, 0)
-        first = passages.following(begun)
-        return max(passages.instant(first), begun) if first < passages.count else begun
+        first = passages.following(begin)
+        if first >= passages.count:
+            return begin
+        return instant_of(self.run, int(passages.before[first]))
 
     def _to_start(self) -> None:
         self._debugger.restart()

@@ -6,6 +6,7 @@ from typing import Final, NamedTuple
 from vrts.base.diagnostic import Diagnostic
 from vrts.base.source import SourceFile
 from vrts.check.task.task import Task
+from vrts.debug.passages import Instant
 from vrts.engine.run import Run
 from vrts.lang.dialect import DIALECTS, Dialect
 from vrts.live.rehearsing.asked import Begin
@@ -29,7 +30,7 @@ class Outcome(NamedTuple):
     task: Task | None = None
     near_miss_m: float | None = None
     programs: tuple[str, ...] = ()
-    begin_s: float = 0.0
+    begin: Instant = Instant(0.0, 0)
     goes_on: bool = False  # from a session: what was before does not count
     note: str = ""
 

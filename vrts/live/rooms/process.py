@@ -19,6 +19,7 @@ from vrts.live.session.channel.messages import (
     AskProgram,
     AskReach,
     AskSnapshot,
+    AskState,
     Halt,
     Pace,
     Start,
@@ -29,9 +30,17 @@ from vrts.live.session.channel.messages import (
 LONGEST: Final = 16 * 1024 * 1024  # bytes of a message from a session
 CHUNK: Final = 256 * 1024  # bytes read at once
 BEHIND: Final = 1024 * 1024  # bytes that may wait for a session
+ENDED: Final = "the session ended before it answered"
 END_S: Final = 3.0  # how long a session may take to end
 
 _POSE = 1  # first byte of a pose frame
+
+
+class StateAnswer(msgspec.Struct, frozen=True):
+    """What the server reads of the session's `Left`."""
+
+    data: str
+    why: str
 
 
 class Head(msgspec.Struct, frozen=True):
@@ -54,6 +63,7 @@ class Head(msgspec.Struct, frozen=True):
 
 
 _heads = msgspec.json.Decoder(Head)
+_states = msgspec.json.Decoder(StateAnswer)
 _encode = msgspec.json.Encoder().encode
 
 OnPose = Callable[[bytes], None]
@@ -77,6 +87,7 @@ class SessionProcess:
         self.failure = ""  # why it ended
         self._ready_at = 0.0
         self._stopped = False  # it was asked to end, begun or not
+        self._states: dict[int, asyncio.Future[StateAnswer]] = {}  # by reference of the question
 
     async def run(self) -> None:
         """Start the process and read it until it ends; one that was stopped before is none."""
@@ -139,6 +150,17 @@ class SessionProcess:
         self._ref += 1
         self._send(AskBlock(self._ref, number))
         return self._ref
+
+    async def state(self) -> StateAnswer:
+        """Return the state of now, as the session tells it; it may take its time."""
+        self._ref += 1
+        ref, coming = self._ref, asyncio.get_running_loop().create_future()
+        self._states[ref] = coming
+        self._send(AskState(ref))
+        try:
+            return await coming
+        finally:
+            self._states.pop(ref, None)
 
     def set_pace(self, rate: int) -> None:
         """Have so many pose frames made a second."""
@@ -204,9 +226,19 @@ class SessionProcess:
             self._ready_at = time.monotonic()
         elif head.type == "failed":
             self.failure = head.text
+        elif head.type == "left":
+            self._answer_state(head.ref, _states.decode(message))
+            return
         self._on_message(head, message)
 
+    def _answer_state(self, ref: int, answer: StateAnswer) -> None:
+        coming = self._states.get(ref)
+        if coming is not None and not coming.done():
+            coming.set_result(answer)
+
     async def _end(self) -> None:
+        for ref in list(self._states):
+            self._answer_state(ref, StateAnswer("", ENDED))
         process = self._process
         if process is None:
             return

@@ -122,7 +122,7 @@ class Session:
                 self._send(self.showing.snapshot(order.ref))
             case m.AskProgram():
                 self._send(m.ProgramText(order.ref, order.name, self.program(order.name)))
-            case m.Start() | m.Stop() | m.Pace() | m.AskBlock():
+            case m.Start() | m.Stop() | m.Pace() | m.AskBlock() | m.AskState():
                 pass  # the process sees to them
 
     def beat(self) -> None:

@@ -27,6 +27,7 @@ from vrts.live.session.channel.inbox import Inbox, Unreadable
 from vrts.live.session.channel.messages import (
     AskBlock,
     AskReach,
+    AskState,
     Failed,
     Json,
     Pace,
@@ -109,7 +110,7 @@ def _serve(inbox: Inbox, outbox: Outbox, readable: int, clock: Clock) -> int:
                     return 0
                 if isinstance(order, Pace):
                     beats.period_s = 1.0 / order.rate
-                if isinstance(order, AskBlock):
+                if isinstance(order, AskBlock | AskState):
                     looker.ask(order)
                 if isinstance(order, AskReach):
                     ways.ask(order)

@@ -11,6 +11,7 @@ from websockets.typing import Origin
 
 from tests.places import ROOT
 from tests.support_live import PATIENCE, Json, LiveServer
+from vrts.engine.run import Run
 from vrts.live.rehearsing.asked import AskBlock, At, Begin, Go, Rehearse, What
 from vrts.live.rehearsing.child import Child
 from vrts.live.rehearsing.told import Block, Ready, Refused, Stopped
@@ -49,10 +50,10 @@ class Questions:
         self._child = Child()
         self._of = 0
 
-    def rehearse(self, text: str, *breakpoints: int) -> Ready | Refused:
+    def rehearse(self, text: str, *breakpoints: int, state: str = "") -> Ready | Refused:
         self._of += 1
         order = Rehearse(self._of, text, breakpoints=breakpoints)
-        told = self._child.answer(Begin(self._where, order))
+        told = self._child.answer(Begin(self._where, order, state))
         assert isinstance(told, Ready | Refused)
         return told
 
@@ -60,6 +61,12 @@ class Questions:
         told = self.rehearse(text, *breakpoints)
         assert isinstance(told, Ready), told
         return told
+
+    @property
+    def run(self) -> Run:
+        """The run that is looked into."""
+        assert self._child.rehearsal is not None
+        return self._child.rehearsal.run
 
     def go(self, what: What) -> Stopped:
         told = self._child.answer(Go(self._of, what))
@@ -109,8 +116,14 @@ class Page:
         return self.next()
 
     def rehearse(self, text: str, **fields: Any) -> Json:
+        """Have a text rehearsed; return the answer."""
+        self.order(text, **fields)
+        return self.next()
+
+    def order(self, text: str, **fields: Any) -> None:
+        """Have a text rehearsed, and do not wait."""
         self._of += 1
-        return self.ask("rehearse", text=text, **fields)
+        self.send("rehearse", text=text, **fields)
 
     def next(self) -> Json:
         data = self.socket.recv(timeout=4 * PATIENCE)

@@ -104,6 +104,12 @@ class AskBlock(Order, frozen=True, tag="ask_block"):
     number: Annotated[int, Meta(ge=0, le=200_000)]  # it begins at `number * BLOCK`
 
 
+class AskState(Order, frozen=True, tag="ask_state"):
+    """The state of now, for somebody's rehearsal; answered by `Left`."""
+
+    ref: Ref
+
+
 class Pace(Order, frozen=True, tag="pace"):
     """How many pose frames to make a second."""
 
@@ -114,7 +120,9 @@ class Stop(Order, frozen=True, tag="stop"):
     """End; the end of input means the same."""
 
 
-ToSession = Start | Act | Halt | AskReach | AskSnapshot | AskProgram | AskBlock | Pace | Stop
+ToSession = (
+    Start | Act | Halt | AskReach | AskSnapshot | AskProgram | AskBlock | AskState | Pace | Stop
+)
 
 # --- from the session -----------------------------------------------------------------------------
 
@@ -196,6 +204,14 @@ class Looked(News, frozen=True, tag="looked"):
     ref: int
     data: str = ""  # JSON, gzipped, in base64
     whole: bool = False  # it will never be another one, unless session time jumps
+    why: str = ""
+
+
+class Left(News, frozen=True, tag="left"):
+    """The state of a session (`looking.state`); where it cannot be told, why."""
+
+    ref: int
+    data: str = ""  # in base64
     why: str = ""
 
 
@@ -351,6 +367,7 @@ FromSession = (
     | Reached
     | ProgramText
     | Looked
+    | Left
     | Moved
     | Happened
     | Output

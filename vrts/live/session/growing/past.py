@@ -33,6 +33,7 @@ from vrts.ir.commands import TimedCommand
 from vrts.live.session.growing.deeds import MOST_STEPS, Deeds
 from vrts.live.session.growing.folder import FILE, OFF
 from vrts.live.settings import HISTORY_QUOTA
+from vrts.scene.model import Scenario, Scene
 
 KEPT: Final = 0.75  # of the quota stays when it is reached
 LOST = "what was done before {:.0f} s cannot be gone back to any more: {}"
@@ -99,7 +100,7 @@ class Past:
         executable = machine.executable
         del machine.executable, machine.system.programs  # written as their source
         machine.watcher = Watcher()  # where commands may come, nobody asks whether a program ends
-        self._given = _given(machine)
+        self._given = given_to(machine.scene, machine.scenario)
         self._add(STATE, time_s, (executable.source, machine))
 
     def keep_commands(self, commands: Sequence[TimedCommand]) -> None:
@@ -231,12 +232,12 @@ class Past:
             raise ValueError("the history of this session cannot be read") from problem
 
 
-def _given(machine: Machine) -> dict[str, object]:
+def given_to(scene: Scene, scenario: Scenario) -> dict[str, object]:
     """Return what every state of a session shares, by name."""
     return {
-        "scene": machine.scene,
-        "scenario": machine.scenario,
-        "arm": machine.scene.robot.arm,
-        "gripper": machine.scene.robot.gripper,
+        "scene": scene,
+        "scenario": scenario,
+        "arm": scene.robot.arm,
+        "gripper": scene.robot.gripper,
         "undefined": UNDEFINED,
     }

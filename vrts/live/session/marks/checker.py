@@ -119,7 +119,7 @@ class Checker:
         session, showing = self._session, self._session.showing
         task = session.setting.task
         near_miss = None if task is None else task.near_miss
-        run = session.growing.run_since(_needed_from(session.growing, showing.checked_s))
+        run = session.growing.run_since(needed_from(session.growing, showing.checked_s))
         found = checked(run or session.run, showing.checked_s, near_miss, self._asked[0])
         whole = session.growing.run_since(0.0) if self._judges else None
         if whole is not None and task is not None:
@@ -192,7 +192,7 @@ def certified(
     return dataclasses.replace(report, contacts=tuple(contacts), near_misses=tuple(near))
 
 
-def _needed_from(growing: GrowingRun, since_s: float) -> float:
+def needed_from(growing: GrowingRun, since_s: float) -> float:
     """Return from when on a run has to be known to be checked from a time on [s].
 
     What was grasped long ago, or left unchecked when the server ended, is in the file.
