@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import pytest
 from playwright.sync_api import Browser
 
-from tests.browser.support_sessions import IDLE, Desk, student, supervisor
+from tests.browser.support_sessions import IDLE, SHOWN, Desk, student, supervisor
 from tests.support_live import LiveServer
 
 pytestmark = [pytest.mark.browser, pytest.mark.live]
@@ -99,7 +99,7 @@ def test_a_contact_lights_up_and_names_the_bodies(operator: Desk, viewer: Desk) 
 
 
 def test_the_supervisor_takes_over_freezes_and_makes_rooms(
-    browser: Browser, server: LiveServer, operator: Desk
+    browser: Browser, server: LiveServer, operator: Desk, viewer: Desk
 ) -> None:
     lead = supervisor(browser, server, drawn=True)
     lead.page.on("dialog", lambda dialog: dialog.accept())
@@ -113,6 +113,10 @@ def test_the_supervisor_takes_over_freezes_and_makes_rooms(
     lead.page.fill("#new-rooms", "Group 1\nGroup 2")
     lead.page.click("button:text('Make rooms')")
     lead.until("document.querySelectorAll('#panel-lead .rooms li').length === 3")
+    group = lead.value("vrts.store.now.rooms[1].id")
+    lead.value(f"vrts.connection.send('project', {{ room: '{group}' }})")
+    viewer.value(f"vrts.connection.enter('{group}')")
+    viewer.until(f"{SHOWN} && vrts.store.now.room.id === '{group}'")
     lead.page.goto(f"http://{server.host}/?wall")
     lead.until("document.querySelectorAll('.room-card').length === 3")
     lead.until("vrts.store.now.wall.every(row => row.bodies.length === 2)")
@@ -126,5 +130,10 @@ def test_the_supervisor_takes_over_freezes_and_makes_rooms(
     lead.page.goto(f"http://{server.host}/?projector")
     lead.until("Boolean(window.vrts?.world?.state)")
     assert lead.page.locator("#control-button").is_hidden()
+    lead.value(f"vrts.connection.send('close_room', {{ room: '{group}' }})")
+    viewer.until("vrts.world.viewer === null")  # nobody looks on at a room that is no more
+    viewer.until("document.getElementById('picture-names').childElementCount === 0")
+    viewer.until("document.getElementById('no-scene').innerText === 'The room was closed.'")
+    lead.until(f"{SHOWN} && vrts.store.now.room.id !== '{group}'")  # the projector goes on
     assert lead.complaints() == []
     lead.context.close()

@@ -1,7 +1,8 @@
 """Notices in the database: what everybody has to see is seen again after a restart."""
 
-import sqlite3
 from typing import Final, NamedTuple
+
+from vrts.live.store.database import Connection
 
 EVERYWHERE: Final = ""  # in place of a room: an announcement
 SOMEBODY: Final = "somebody"  # in place of a name that was purged
@@ -18,23 +19,23 @@ class KeptNotice(NamedTuple):
     text: str  # of an announcement; of a stop the role of who stopped the arm
 
 
-def keep_notice(connection: sqlite3.Connection, notice: KeptNotice) -> None:
+def keep_notice(connection: Connection, notice: KeptNotice) -> None:
     """Keep a notice in place of the one before."""
     connection.execute("INSERT OR REPLACE INTO notice VALUES (?,?,?,?,?,?)", notice)
 
 
-def end_notice(connection: sqlite3.Connection, room: str) -> None:
+def end_notice(connection: Connection, room: str) -> None:
     """Keep it no longer."""
     connection.execute("DELETE FROM notice WHERE room=?", (room,))
 
 
-def notice_of(connection: sqlite3.Connection, room: str) -> KeptNotice | None:
+def notice_of(connection: Connection, room: str) -> KeptNotice | None:
     """Return what is kept of a room, or everywhere."""
     row = connection.execute("SELECT * FROM notice WHERE room=?", (room,)).fetchone()
     return None if row is None else KeptNotice._make(row)
 
 
-def forget_notices(connection: sqlite3.Connection, account: int) -> None:
+def forget_notices(connection: Connection, account: int) -> None:
     """Forget what somebody has announced, and that it was they who stopped an arm."""
     connection.execute("DELETE FROM notice WHERE account=? AND room=?", (account, EVERYWHERE))
     connection.execute(

@@ -6,10 +6,12 @@ from typing import Final
 import msgspec
 from msgspec import structs
 
+from vrts.live.door import text_frame
 from vrts.live.notices.announcement import Announcement
 from vrts.live.notices.kept import EVERYWHERE, SOMEBODY, end_notice, notice_of
+from vrts.live.protocol.coding import encode
 from vrts.live.protocol.fields import Role
-from vrts.live.protocol.from_server import Chat, Stopped
+from vrts.live.protocol.from_server import Chat, Rooms, Stopped
 from vrts.live.refusal import NotObeyed
 from vrts.live.rooms.again.folders import remove_all_closed
 from vrts.live.rooms.audience import EVERYBODY, Audience
@@ -87,6 +89,8 @@ async def close(hub: Hub, room: Room) -> None:
     if hub.projector == room.id:
         hub.projector = next((r.id for r in hub.rooms.values() if r.branch is None), "")
     for member in list(room.members.values()):
+        left = Rooms(hub.entries(member.account), hub.projector)  # a projector goes on with it
+        member.send(text_frame(encode(left)))
         send_away(hub, member, "room closed", "the room was closed")
     room.wake.set()  # it may wait for its supervisor, or for its turn to begin a session
     if room.process is not None:

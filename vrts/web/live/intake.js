@@ -14,7 +14,7 @@ const FIRST = -1; // session number of a room whose session has not begun
 export class Intake {
   /**
    * @param {import("./store.js").Store} store @param {import("./bodies.js").Bodies} bodies
-   * @param {{refused: (message: Message) => void, jumped: () => void, now: () => number}} heard `now`: session time that is shown [s]
+   * @param {{refused: (message: Message) => void, jumped: () => void, left: () => void, now: () => number}} heard `left`: for another room; `now`: session time that is shown [s]
    */
   constructor(store, bodies, heard) {
     this.store = store;
@@ -36,6 +36,7 @@ export class Intake {
         store.set({ notes: message.notes });
         if (message.chat.length) store.set({ chat: message.chat });
         store.set({ stopped: null, announced: null }); // told after this, if there is any
+        if (other) this.heard.left();
         this.state(message, other);
         break;
       }

@@ -70,19 +70,29 @@ export class World {
     this.begin(await answer.json());
   }
 
+  /** Draw nothing: what was there is of another room, or of one that is closed. */
+  clear() {
+    this.url = "";
+    this.end();
+  }
+
+  /** End the picture. */
+  end() {
+    const old = this.viewer;
+    this.viewer = this.state = null;
+    for (const tell of this.sceneWatchers) tell(null);
+    if (!old) return;
+    old.dispose();
+    const fresh = /** @type {HTMLCanvasElement} */ (this.canvas.cloneNode());
+    this.canvas.replaceWith(fresh);
+    this.canvas = fresh;
+  }
+
   /** @param {SceneData} data */
   begin(data) {
-    const old = this.viewer;
-    for (const tell of this.sceneWatchers) tell(null);
-    if (old) {
-      old.dispose();
-      const fresh = /** @type {HTMLCanvasElement} */ (this.canvas.cloneNode());
-      this.canvas.replaceWith(fresh);
-      this.canvas = fresh;
-    }
+    this.end();
     const viewer = new Viewer(this.canvas, data, theme(), { reflections: false });
     this.viewer = viewer;
-    this.state = null;
     window.setTimeout(() => this.viewer === viewer && !viewer.software && viewer.reflect(), LATER);
     look(this.viewer, this.beginning);
     for (const tell of this.sceneWatchers) tell(this.viewer);

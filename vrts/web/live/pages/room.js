@@ -2,7 +2,7 @@
 
 import { Bodies } from "../bodies.js";
 import { Connection, Refusal } from "../connection.js";
-import { byId } from "../dom.js";
+import { byId, write } from "../dom.js";
 import { Intake } from "../intake.js";
 import { bindKeys } from "../keys.js";
 import { mountLayout } from "../layout/mount.js";
@@ -15,7 +15,7 @@ import { backToLive } from "../looking.js";
 import { mountEditor } from "../editor/panel.js";
 import { mountButtons } from "../panels/buttons.js";
 import { mountMonitor } from "../panels/monitor.js";
-import { mountNoSession } from "../panels/no_session.js";
+import { mountNoSession, sentence } from "../panels/no_session.js";
 import { mountOverlay } from "../panels/overlay.js";
 import { mountPendant } from "../panels/pendant.js";
 import { mountPointing } from "../panels/pointing.js";
@@ -97,6 +97,7 @@ export function started(room, follow) {
   const intake = new Intake(store, bodies, {
     refused: (message) => toasts.warn(new Refusal(/** @type {any} */ (message)).message),
     jumped: () => world.forget(),
+    left: () => world.clear(),
     now: () => world.now,
   });
   const connection = new Connection({
@@ -120,8 +121,11 @@ export function started(room, follow) {
   };
   connection.rate = wantedRate();
   mountNoSession(app);
-  store.on(["sceneUrl", "noSession"], ({ sceneUrl, noSession }) => {
-    byId("no-scene").hidden = Boolean(sceneUrl || noSession?.why);
+  store.on(["sceneUrl", "noSession", "connection"], ({ sceneUrl, noSession, connection: state, ended }) => {
+    const over = state === "ended";
+    if (over || noSession?.why) world.clear();
+    byId("no-scene").hidden = !over && Boolean(sceneUrl || noSession?.why);
+    write(byId("no-scene"), over ? sentence(ended) : "The session is being prepared …");
   });
   store.on(["sceneUrl"], ({ sceneUrl }) => {
     world.load(sceneUrl).catch((error) => noView(error, toasts));

@@ -30,6 +30,7 @@ export function showWall(me) {
   const intake = new Intake(store, new Bodies(), {
     refused: (message) => toasts.warn(new Refusal(/** @type {any} */ (message)).message),
     jumped: () => undefined,
+    left: () => undefined,
     now: () => 0,
   });
   const connection = new Connection({

@@ -29,6 +29,6 @@ export function mountNoSession(app) {
 }
 
 /** Return words as a sentence. @param {string} words */
-function sentence(words) {
+export function sentence(words) {
   return words.charAt(0).toUpperCase() + words.slice(1) + (words.endsWith(".") ? "" : ".");
 }

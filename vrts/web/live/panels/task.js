@@ -110,7 +110,10 @@ export function mountTask(app) {
     drawn?.dispose();
     drawn = null;
     const viewer = world.viewer;
-    if (!viewer) return;
+    if (!viewer) {
+      names.list(null, []);
+      return;
+    }
     viewer.showGoals(false); // green for all; these have the colours of their objects
     if (task) drawn = new Goals(viewer, task);
     drawn?.show(remembered(SHOWN.goals));
