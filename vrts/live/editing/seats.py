@@ -1,11 +1,11 @@
 """Who has a language server: each person one, all together so many."""
 
 import asyncio
-import time
 from collections.abc import Hashable
 from pathlib import Path
 from typing import Final, Generic, TypeVar
 
+from vrts.live.lasting.clock import steady
 from vrts.live.limits import Bucket
 
 MOST: Final = 40  # at once; each takes about 55 MB
@@ -25,7 +25,7 @@ class Seat(Generic[Whose]):
         self.whose = whose
         self.taken = asyncio.Event()  # somebody else has it now, or the server ends
         self.wanted = False  # it was taken for another person
-        self.heard_s = time.monotonic()  # when its browser said something last
+        self.heard_s = steady()  # when its browser said something last
 
 
 class Seats(Generic[Whose]):
@@ -66,7 +66,7 @@ class Seats(Generic[Whose]):
         Where all are given, the one goes in which nothing was written for longest.
         """
         bucket = self._begun.setdefault(whose, Bucket(*self._often))
-        if not bucket.take(time.monotonic()):
+        if not bucket.take(steady()):
             return None
         while len(self._begun) > REMEMBERED:
             del self._begun[next(iter(self._begun))]
@@ -81,7 +81,7 @@ class Seats(Generic[Whose]):
     def _free(self) -> bool:
         """Take back the seat that is quiet for longest; return whether there is one."""
         seat = min(self._of.values(), key=lambda one: one.heard_s)
-        if time.monotonic() - seat.heard_s < self._quiet_s:
+        if steady() - seat.heard_s < self._quiet_s:
             return False
         del self._of[seat.whose]
         seat.wanted = True

@@ -53,6 +53,8 @@ class LogIns:
         if found is None or now - found.last > FORGOTTEN_S:
             found = tries[key] = _Tries()
         tries.move_to_end(key)
+        while len(tries) > 1 and now - next(iter(tries.values())).last > FORGOTTEN_S:
+            tries.popitem(last=False)
         found.wrong += 1
         found.last = now
         if found.wrong >= FREE:
@@ -70,7 +72,10 @@ class LogIns:
 
     def right(self, account: int, source: str) -> None:
         """Forget the wrong passwords of who is right."""
-        self._of.get(account, OrderedDict()).pop(source, None)
+        tries = self._of.get(account, OrderedDict())
+        tries.pop(source, None)
+        if not tries:
+            self._of.pop(account, None)
 
     def _table(
         self, account: int | None, name: str, source: str

@@ -2,7 +2,6 @@
 
 import asyncio
 import contextlib
-import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import Final, NamedTuple
@@ -12,7 +11,7 @@ from vrts.live.entrance.class_code import ClassCode, Guess, keep_code, kept_code
 from vrts.live.entrance.entries import Entries, Lately
 from vrts.live.entrance.guessing import left_after
 from vrts.live.entrance.log_ins import LogIns
-from vrts.live.lasting.clock import wall
+from vrts.live.lasting.clock import steady, wall
 from vrts.live.store import links
 from vrts.live.store.accounts import LINK_S, MANY, add_link
 from vrts.live.store.database import Connection, Database, Failed
@@ -162,7 +161,7 @@ class WaysIn:
 
         kept, guests = await self._database.do(look)
         code = self.code
-        lately = self.entries.lately(time.monotonic())
+        lately = self.entries.lately(steady())
         left = left_after(code.wrong)
         return Shown(grouped(code.text), self.url(), code.wrong, left, kept, lately, guests)
 

@@ -4,7 +4,6 @@ A right code or link always lets in: nothing that others typed or did stands bef
 """
 
 import math
-import time
 from typing import Final
 
 from starlette.requests import Request
@@ -17,7 +16,7 @@ from vrts.live.front.browsers import browser_token
 from vrts.live.front.guard import refused
 from vrts.live.front.http import LONGEST_TOKEN, Pages
 from vrts.live.front.qr_code import qr_svg
-from vrts.live.lasting.clock import wall
+from vrts.live.lasting.clock import steady, wall
 from vrts.live.people.naming import person_name
 from vrts.live.protocol.over_http import (
     ChangeWays,
@@ -106,7 +105,7 @@ class EntrancePages:
         found, known = await hub.database.do(look)
         whose = None if found is None else found[0].id
         source = f"browser {own.hex()}" if known else group(_address(request))
-        tries, clock = hub.ways.log_ins, time.monotonic()
+        tries, clock = hub.ways.log_ins, steady()
         wait_s = tries.wait_s(whose, body.user, source, clock)
         if wait_s > 0.0:
             return _wait(wait_s)
@@ -213,7 +212,7 @@ class EntrancePages:
 
     def _entered(self, account: Account, address: str) -> None:
         hub = self._hub
-        gone = hub.ways.entries.entered(account.id, address, time.monotonic())
+        gone = hub.ways.entries.entered(account.id, address, steady())
         if gone:
             hub.spawn(hub.database.do(lambda c: guests.give_up_unused(c, gone)))
 

@@ -1,7 +1,6 @@
 """One WebSocket of an editor: questions about its text in, a language server's answers out."""
 
 import asyncio
-import time
 from collections.abc import Awaitable, Callable, Coroutine
 from typing import Any, Final
 
@@ -13,6 +12,7 @@ from vrts.live.editing.helper import Helper, begun
 from vrts.live.editing.seats import Seat, Seats
 from vrts.live.editing.told import answered, as_json, diagnostics
 from vrts.live.front.guard import refused
+from vrts.live.lasting.clock import steady
 from vrts.live.limits import Bucket
 from vrts.live.store.accounts import Account
 
@@ -118,7 +118,7 @@ class _Talk:
             event: dict[str, Any] = dict(await self._websocket.receive())
             if event["type"] == "websocket.disconnect":
                 return None
-            self._seat.heard_s = now = time.monotonic()
+            self._seat.heard_s = now = steady()
             if not bucket.take(now) or self._helper.behind:
                 return TOO_MUCH
             message = self._read(event.get("text") or "")
@@ -178,7 +178,7 @@ class _Talk:
         """Return when nobody writes any more or is logged in, or no answer comes."""
         while True:
             await asyncio.sleep(LOOK_S)
-            now = time.monotonic()
+            now = steady()
             if now - self._seat.heard_s > IDLE_S:
                 return IDLE
             if not await self._still():

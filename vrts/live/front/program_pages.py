@@ -1,6 +1,5 @@
 """Programs that are kept, over HTTP: lists, versions, texts, saving, forgetting."""
 
-import time
 from collections import OrderedDict
 from typing import Final, Literal, NamedTuple
 
@@ -10,7 +9,7 @@ from starlette.routing import Route
 
 from vrts.live.front.bodies import as_json, read_body
 from vrts.live.front.guard import refused
-from vrts.live.lasting.clock import wall
+from vrts.live.lasting.clock import steady, wall
 from vrts.live.limits import Bucket
 from vrts.live.protocol.over_programs import (
     DropProgram,
@@ -120,7 +119,7 @@ class ProgramPages:
             return place
         account, shelf = place
         version = Version(body.name, 0, wall(), account.id, account.name, 0)
-        length, clock = len(body.text), time.monotonic()
+        length, clock = len(body.text), steady()
 
         def save(connection: Connection) -> Outcome | tuple[str, str]:
             if body.shelf == "room" and not room_takes(connection, body.room, body.name, length):
@@ -175,7 +174,7 @@ class ProgramPages:
         self._buckets.move_to_end(account.id)
         while len(self._buckets) > PERSONS:
             self._buckets.popitem(last=False)
-        return bucket.take(time.monotonic())
+        return bucket.take(steady())
 
 
 def _shown(versions: list[Version], account: Account) -> tuple[KeptVersion, ...]:

@@ -21,7 +21,7 @@ from vrts.live.rooms.hub import Hub, may_enter
 from vrts.live.rooms.keeping import control_changed, keep_soon, record
 from vrts.live.rooms.member import Member
 from vrts.live.rooms.room import Room
-from vrts.live.store.accounts import Account
+from vrts.live.store.accounts import GUESTS, Account
 from vrts.live.store.guests import saw
 
 NEXT: Final = 8  # of those who wait for control keep their place in a full room
@@ -60,6 +60,8 @@ def enter(
                 member.share(other)
         room.members[member.id] = member
         if account.id not in room.came:  # once a session: who comes again and again fills no log
+            if len(room.came) >= GUESTS:  # nearly all of them are gone for good
+                room.came = {other.account.id for other in room.members.values()}
             room.came.add(account.id)
             record(hub, room, "join", account, {})
     member.address, member.browsers = address, browsers

@@ -1,6 +1,5 @@
 """Begins private rooms, within limits, and ends those that stay empty."""
 
-import time
 from typing import Final
 
 from vrts.live.lasting.clock import steady
@@ -88,7 +87,7 @@ async def end_earlier(hub: Hub, account: Account, kept: Room) -> None:
 
 async def end_empty(hub: Hub, now: float | None = None) -> None:
     """Close private rooms that nobody was in for a while; `now` only goes forward [s]."""
-    now = time.monotonic() if now is None else now
+    now = steady() if now is None else now
     for room in list(hub.rooms.values()):
         if room.branch is None:
             continue

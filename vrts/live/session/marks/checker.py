@@ -148,6 +148,7 @@ class Checker:
             found.undetermined,
             showing.mark,
         )
+        showing.forget_contacts()
         showing.checked_s = until_s
         if fresh.contacts or fresh.near or fresh.undetermined or changed:
             showing.tell(fresh)

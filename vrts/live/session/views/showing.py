@@ -39,6 +39,7 @@ MOST_EVENTS_A_BEAT = 50  # rows; a program may write and signal at will
 MOST_OUTPUT_A_BEAT = 8_000  # characters
 EVENTS_KEPT = 200
 OUTPUT_KEPT = 20_000  # characters
+CONTACTS_KEPT = 250  # rows of contacts, and of near misses: so many first ones, and last ones
 
 
 class Showing:
@@ -65,6 +66,7 @@ class Showing:
         self._programs: tuple[StoredProgram, ...] = ()
         self.contacts: list[Json] = []
         self.near: list[Json] = []
+        self.forgotten = 0  # contacts between the first and the last ones
         self.places: tuple[HandPlace, ...] = ()
         self.checked_s = 0.0
         self.marked: Marked | None = None
@@ -98,6 +100,16 @@ class Showing:
         """Send something with the next beat."""
         self._more.append(news)
 
+    def forget_contacts(self) -> None:
+        """Forget contacts and near misses but the first and last ones: some programs never end.
+
+        The first are those that a task with a time limit counts.
+        """
+        self.forgotten += max(len(self.contacts) - 2 * CONTACTS_KEPT, 0)
+        for rows in (self.contacts, self.near):
+            if len(rows) > 2 * CONTACTS_KEPT:
+                del rows[CONTACTS_KEPT:-CONTACTS_KEPT]
+
     def jumped(self) -> None:
         """Forget what was told: session time is another one."""
         self._placements = Placements(self._growing)
@@ -109,6 +121,9 @@ class Showing:
         self.contacts = [row for row in self.contacts if _start(row) <= time_s]
         self.near = [row for row in self.near if _start(row) <= time_s]
         self.checked_s = min(self.checked_s, time_s)
+        if self.forgotten and len(self.contacts) <= CONTACTS_KEPT:  # they are looked for again
+            self.forgotten = 0
+            self.checked_s = min([self.checked_s, *map(_start, self.contacts[-1:])])
         self.marked = None
 
     @property
@@ -193,7 +208,7 @@ class Showing:
             signals=tuple(sorted(system.signals.on)),
             held=system.hand.held or "",
             prompt=self._conversation.prompt,
-            contacts=len(self.contacts),
+            contacts=self.forgotten + len(self.contacts),
             checked_s=self.checked_s,
             mark=self.mark,
             tool=tool(growing),
