@@ -44,6 +44,8 @@ class Answer:
 class Browser:
     """A WebSocket, and what came by it."""
 
+    patience = PATIENCE  # [s]
+
     def __init__(self, socket: ClientConnection) -> None:
         self.socket = socket
         self.came: list[Json] = []
@@ -57,10 +59,10 @@ class Browser:
         self,
         type_: str,
         fits: Callable[[Json], bool] = lambda _: True,
-        patience: float = PATIENCE,
+        patience: float | None = None,
     ) -> Json:
         """Return the next message of a type; what comes before it is kept in `came`."""
-        until = time.monotonic() + patience
+        until = time.monotonic() + (self.patience if patience is None else patience)
         while (left := until - time.monotonic()) > 0:
             try:
                 message = self._next(left)
@@ -73,7 +75,7 @@ class Browser:
     def answer(self, number: int) -> Json:
         """Return the result of a command, or why it was refused."""
         while True:
-            message = self._next(PATIENCE) or {"type": ""}
+            message = self._next(self.patience) or {"type": ""}
             if message["type"] in ("result", "refused") and message["of"] == number:
                 return message
 
@@ -135,14 +137,16 @@ class Browser:
         return message
 
 
-def alone(*words: str) -> subprocess.Popen[str]:
+def alone(*words: str, module: str = "vrts.cli.main") -> subprocess.Popen[str]:
     """Begin a command in an interpreter that has loaded nothing before."""
-    command = [sys.executable, "-m", "vrts.cli.main", *words]
+    command = [sys.executable, "-m", module, *words]
     return subprocess.Popen(command, stderr=subprocess.PIPE, text=True)
 
 
 class LiveServer:
     """`vrts serve` on a free port."""
+
+    module = "vrts.cli.main"  # what a server that is `measured` begins as
 
     def __init__(
         self,
@@ -161,7 +165,7 @@ class LiveServer:
 
     def start(self, port: str) -> None:
         words = ("serve", *self._arguments, "--port", port)
-        self.process = alone(*words) if self.measured else Begun(*words)
+        self.process = alone(*words, module=self.module) if self.measured else Begun(*words)
         assert self.process.stderr is not None
         self.said: list[str] = []
         for line in self.process.stderr:
