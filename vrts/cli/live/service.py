@@ -27,6 +27,7 @@ def print_service(context: click.Context, writes: tuple[Path, ...], port: int) -
     words, reads = _words(context)
     program = Path(sys.executable).with_name("vrts")
     begin = (str(program),) if program.is_file() else (sys.executable, "-m", "vrts.cli.main")
+    reads = (*reads, Path(sys.executable).resolve())  # it may lie elsewhere than the command
     paths = tuple(folder.absolute() for folder in writes)
     if any(not str(path).isprintable() for path in (*paths, *reads)):
         fail("a path has characters that a service's file cannot have")
