@@ -33,12 +33,12 @@ def purge_user(folder: Path, name: str, key: Path | None, *, mentions: bool) -> 
     found = purge(folder, name, key, mentions=mentions)
     if not found.accounts:
         fail(f"nothing is kept of `{name}`", status=WRONG)
-    say(f"accounts forgotten: {found.accounts}; the chains of the logs stay as they were")
+    say(f"accounts forgotten: {found.accounts}; the rest of the logs stays as it was")
     for copy in found.copies:
-        say(f"removed a copy from before tables were changed: {copy}")
+        say(f"removed an older copy of the database: {copy}")
     if found.mentions:
         warn(
-            f"`{name}` stands in {found.mentions} texts of others still;"
+            f"`{name}` still stands in {found.mentions} texts of others;"
             " `--purge-mentions` forgets these too"
         )
     if found.left:

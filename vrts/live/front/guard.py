@@ -71,7 +71,7 @@ class Guard:
         if reads and not origins:
             return None
         if len(origins) != 1 or not self._names.own_page(origins[0], host):
-            return refused(403, "origin", "this was asked by a page of another site")
+            return refused(403, "origin", "a page of another site asked this")
         return None
 
     def _bind(self, headers: MutableHeaders, host: str) -> None:

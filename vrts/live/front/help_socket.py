@@ -30,7 +30,7 @@ WANTED: Final = ("idle", "others needed the help meanwhile: it comes back when y
 LOGGED_OUT: Final = ("login", "you are not logged in any more")
 STUCK: Final = ("stuck", "the help took too long and was ended; it begins again")
 GONE: Final = ("gone", "the help has ended; it begins again")
-BAD: Final = ("message", "too many messages came that mean nothing")
+BAD: Final = ("message", "too many messages that make no sense")
 TOO_MUCH: Final = ("limit", "too much was asked at once")
 
 

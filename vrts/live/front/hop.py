@@ -16,7 +16,7 @@ from starlette.types import Scope
 HEADER: Final = "x-forwarded-for"
 UNKNOWN: Final = "behind the proxy"
 WARNING: Final = (
-    "the proxy does not say from where requests come, so all count as one address:"
+    "the proxy does not say where requests come from, so all count as one address:"
     " let it set X-Forwarded-For (nginx: `proxy_set_header X-Forwarded-For $remote_addr;`)"
 )
 

@@ -37,15 +37,15 @@ RATE: Final = (0.5, 20.0)  # requests of a person that write, a second and at on
 PERSONS: Final = 2000  # whose requests are counted
 LONGEST_WORD: Final = 128  # characters of what an address holds
 FULL: Final = (
-    "your programs take all the place that one person has",
+    "your programs take all the space that one person has",
     "delete some, or download them first",
 )
 FULL_ROOM: Final = (
-    "the programs of this room take all the place that a room has",
+    "the programs of this room take all the space that a room has",
     "ask the supervisor to delete some",
 )
 FULL_GUESTS: Final = (
-    "the programs of all guests take all the place that there is",
+    "the programs of all guests take all the space that there is",
     "download yours, and ask the supervisor to delete some",
 )
 

@@ -131,7 +131,7 @@ async def _listen(
                     member.excess += 1
                     member.tell(Refused(_number(message), "rate", TOO_MANY, "slow down"))
             if member.bad > MOST_BAD or member.excess > limits.EXCESS:
-                _end(door, Closed("message", "too many messages that count for nothing"))
+                _end(door, Closed("message", "too many messages that make no sense"))
                 break
         waiting.end()
 

@@ -18,7 +18,7 @@ from vrts.live.store.database import Connection
 from vrts.live.store.progress import Reached, keep_reached
 from vrts.live.store.rooms import KeptRoom, keep_room
 
-NOTHING: Final = "there is no session that could be gone on from"
+NOTHING: Final = "there is no session to go on from"
 
 
 class _Command(msgspec.Struct, frozen=True):
@@ -101,7 +101,7 @@ def until(rows: Sequence[CopiedRow], at_s: float, scene: str) -> list[CopiedRow]
         found.append(_rewound(steps[jumped].row, begun_s, at_s))
     purged = next((row.seq for row in found if row.text is None), 0)
     if purged:
-        raise LogFault(f"record {purged} was purged, so the session cannot be gone on from")
+        raise LogFault(f"record {purged} was purged, so nobody can go on from this session")
     return [rows[0], *found]
 
 

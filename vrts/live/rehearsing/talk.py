@@ -29,10 +29,10 @@ SEND_S: Final = 20.0  # until a browser must have taken a message
 ELSEWHERE: Final = Closed("elsewhere", "you rehearse in another tab of this room now")
 LOGGED_OUT: Final = Closed("login", "you are not logged in any more")
 AWAY: Final = Closed("room", "you are not in this room any more")
-BAD: Final = Closed("message", "too many messages came that mean nothing")
+BAD: Final = Closed("message", "too many messages that make no sense")
 TOO_MUCH: Final = Closed("limit", "too much was asked at once")
 
-NO_SEAT: Final = "as many rehearse as the server can bear, or you too often: wait a minute"
+NO_SEAT: Final = "too many people rehearse now, or you rehearse too often: wait a minute"
 NO_PROCESS: Final = "the server cannot begin a rehearsal now: try again in a minute"
 NO_SCENE: Final = "the server does not offer the scene of this room any more"
 NONE: Final = "nothing is rehearsed"

@@ -25,7 +25,9 @@ from vrts.live.store.accounts import GUESTS, Account
 from vrts.live.store.guests import saw
 
 NEXT: Final = 8  # of those who wait for control keep their place in a full room
-CROWDED: Final = "very many came from where you are, or you have several pages: enter again"
+CROWDED: Final = (
+    "the server is full: many came from your network, or you have several pages open; enter again"
+)
 
 
 def enter(

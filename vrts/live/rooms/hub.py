@@ -26,8 +26,8 @@ from vrts.live.tokens import grouped
 NO_DISK: Final = "the server's disk takes nothing more, so nothing can be done now but panic"
 DISK_HELP: Final = "tell who runs the server to make room; it goes on by itself then"
 DISK_LOST: Final = (
-    "the server's disk has room again: {} records of who came, had control or pressed stop again"
-    " were too many to wait, and are lost; all other that was done is recorded"
+    "the server's disk has room again; {} records are lost, of who came, had control or pressed"
+    " stop again: too many had to wait; all else that was done is recorded"
 )
 DISK_AGAIN: Final = "the server's disk has room again: all that was done is recorded"
 _log = logging.getLogger("vrts.live")

@@ -195,7 +195,7 @@ class Session:
             self._carry_out(waiting)
         elif len(self._waiting) >= MOST_WAITING:
             at_s = self.growing.time_s
-            text = "too much waits to be carried out already"
+            text = "too many commands wait already"
             self._send(m.Done(order.ref, at_s, False, text, code="full", counts=False))
         else:
             self._waiting.append(waiting)

@@ -14,13 +14,13 @@ _BACKUP: Final = "put a copy back that `vrts serve --backup` made, or name anoth
 _OTHER: Final = "name another folder with `--folder`"
 _WHAT: Final = {  # names of SQLite's result codes, the longest that fits counts
     "SQLITE_FULL": ("the disk is full", "make room on it"),
-    "SQLITE_IOERR": ("the disk is full or fails", "make room on it, or look after it"),
-    "SQLITE_READONLY": ("it may not be written", "whose are the file and the folder?"),
-    "SQLITE_CANTOPEN": ("it cannot be opened", "whose are the file and the folder?"),
-    "SQLITE_PERM": ("it may not be read", "whose are the file and the folder?"),
-    "SQLITE_AUTH": ("it may not be read", "whose are the file and the folder?"),
-    "SQLITE_BUSY": ("another program holds it", "end that program"),
-    "SQLITE_LOCKED": ("another program holds it", "end that program"),
+    "SQLITE_IOERR": ("the disk is full or fails", "make room on it, or check the disk"),
+    "SQLITE_READONLY": ("vrts may not write it", "look who owns the file and the folder"),
+    "SQLITE_CANTOPEN": ("vrts cannot open it", "look who owns the file and the folder"),
+    "SQLITE_PERM": ("vrts may not read it", "look who owns the file and the folder"),
+    "SQLITE_AUTH": ("vrts may not read it", "look who owns the file and the folder"),
+    "SQLITE_BUSY": ("another program uses it", "end that program"),
+    "SQLITE_LOCKED": ("another program uses it", "end that program"),
     "SQLITE_PROTOCOL": (
         "its file system knows no locks",
         "use a disk of this machine",
@@ -96,5 +96,5 @@ def in_one_sentence(path: Path) -> Generator[None]:
         if known is None:
             raise
         raise CannotRead(
-            f"the database `{path}` is of no use: {known[0]}", (known[1],)
+            f"vrts cannot use the database `{path}`: {known[0]}", (known[1],)
         ) from problem

@@ -61,7 +61,7 @@ export class Connection {
     window.clearTimeout(this.timer);
     this.socket?.close();
     this.socket = undefined;
-    this.giveUp("the room was left");
+    this.giveUp("you left the room");
   }
 
   open() {

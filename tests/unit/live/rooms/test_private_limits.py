@@ -62,9 +62,9 @@ def test_private_rooms_are_begun_one_after_another_and_not_too_often(tmp_path: P
         hub.database.close()
         return found
 
-    nothing = "there is no session that could be gone on from"
+    nothing = "there is no session to go on from"
     assert asyncio.run(work()) == [
-        "a private room of somebody else is being made",
+        "the server is making a private room for somebody else",
         NO_DISK,
         *[nothing] * 6,
         *["you have begun many private rooms already"] * 2,

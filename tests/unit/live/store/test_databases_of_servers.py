@@ -22,7 +22,7 @@ from vrts.live.store.verifying import findings
 
 LEFT = ("4", "5", "6", "7", "8-unsigned", "8", "9")
 KEYS = json.loads((OLD / "log-keys.json").read_text("utf-8"))
-NOTHING_SEEN = "nothing beside the key tells how far these logs had come"
+NOTHING_SEEN = "the file beside the key is missing, which tells how far these logs had come"
 
 
 def left(name: str, folder: Path) -> tuple[Path, int]:

@@ -145,8 +145,8 @@ ATTACKS = {
     "two persons are exchanged in the names": (
         ["UPDATE log_name SET name=CASE name WHEN 'Ben' THEN 'Anna' ELSE 'Ben' END"],
         [
-            "a (Group A): who account 1 is was changed: `Ben` was not signed",
-            "b (Group B): who account 1 is was changed: `Ben` was not signed",
+            "a (Group A): account 1 has another name: `Ben` was not signed",
+            "b (Group B): account 1 has another name: `Ben` was not signed",
         ],
     ),
     "two persons are exchanged everywhere": (
@@ -157,8 +157,8 @@ ATTACKS = {
             "UPDATE account SET name='Ben' WHERE id=1",
         ],
         [
-            "a (Group A): who account 1 is was changed: `Ben` was not signed",
-            "b (Group B): who account 1 is was changed: `Ben` was not signed",
+            "a (Group A): account 1 has another name: `Ben` was not signed",
+            "b (Group B): account 1 has another name: `Ben` was not signed",
         ],
     ),
     "two persons are exchanged among the accounts": (

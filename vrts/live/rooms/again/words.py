@@ -32,7 +32,7 @@ def died_too_often(why: str, row: int, last: str, *, recorded: bool) -> NoSessio
         recorded: Whether it is in the log, so that it is done again each time.
     """
     if not last:
-        told, choices = "nothing was commanded before", (AGAIN, ANEW)
+        told, choices = "there was no command before", (AGAIN, ANEW)
     elif recorded:
         told, choices = f"the last command was {last}", (AGAIN, WITHOUT_LAST, ANEW)
     else:

@@ -39,9 +39,9 @@ async def branch(hub: Hub, sessions: Sessions, member: Member, at_s: float) -> R
     if at_s > reached.time_s + SLACK_S:
         raise NotObeyed("past", "this has not happened yet")
     if account.id in hub.branching:
-        raise NotObeyed("busy", "your room is being made already")
+        raise NotObeyed("busy", "the server is making your room already")
     if hub.branching:  # much work for the disk; and none is made that is not counted below
-        text = "a private room of somebody else is being made"
+        text = "the server is making a private room for somebody else"
         raise NotObeyed("busy", text, "try again in a moment")
     if hub.journal.problem:
         raise NotObeyed("disk", NO_DISK, DISK_HELP)

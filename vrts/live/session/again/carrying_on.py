@@ -98,7 +98,7 @@ def carry_on(
     def look() -> None:
         session.showing.news()  # it was told before
         if time.process_time() > latest:
-            raise CannotCarryOn("to repeat all that was done takes too long")
+            raise CannotCarryOn("it takes too long to repeat all that was done")
         if not wanted():
             raise Interrupted
 
@@ -110,7 +110,7 @@ def carry_on(
             voice.done = None
             session.repeat(entry.order, entry.at_s)
             if not same_answer(entry.done, voice.done):
-                raise CannotCarryOn("what was done has other results now")
+                raise CannotCarryOn("the same commands have other results now")
         go_on(max(until_s, session.growing.time_s + (0.0 if exact else EFFECT)))
     except ValueError as problem:  # an order before the one that came earlier
         raise CannotCarryOn(f"its log does not fit: {problem}") from problem

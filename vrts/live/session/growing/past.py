@@ -36,9 +36,9 @@ from vrts.live.settings import HISTORY_QUOTA
 from vrts.scene.model import Scenario, Scene
 
 KEPT: Final = 0.75  # of the quota stays when it is reached
-LOST = "what was done before {:.0f} s cannot be gone back to any more: {}"
+LOST = "nobody can go back before {:.0f} s any more: {}"
 FULL = "the history of this session is full"
-PURGED = "somebody was purged who took part in it"
+PURGED = "somebody who took part in it was purged"
 STATE, COMMANDS, DEEDS = "state", "commands", "deeds"
 
 
@@ -132,7 +132,7 @@ class Past:
             if full and self._records:
                 self.said.append(LOST.format(self._records[0].time_s, FULL))
             elif full:
-                self.said.append(f"{FULL}: only what is in memory can be gone back to")
+                self.said.append(f"{FULL}: you can go back only to what is in memory")
         except OSError as problem:
             self._give_up(problem.strerror or "it cannot be written")
 

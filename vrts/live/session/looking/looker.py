@@ -19,9 +19,9 @@ LIMITS: Final = Limits(
 )
 FORGOTTEN: Final = "this part of the past is forgotten"
 TO_COME: Final = "this has not happened yet"
-FAILED: Final = "this part of the past could not be worked out"
-BUSY: Final = "too many look at the past at once"
-NO_STATE: Final = "the state of the room's session could not be had"
+FAILED: Final = "vrts cannot show this part of the past"
+BUSY: Final = "too many people look at the past at once"
+NO_STATE: Final = "the room's session did not give its state"
 
 
 class Looker:

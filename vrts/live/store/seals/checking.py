@@ -147,7 +147,7 @@ def unlike_names(
     for *fields, seal, called in rows:
         _, account, _, name = fields
         if not _signed(key, seal, NAME, database, *fields):
-            yield f"who account {shown(account)} is was changed: {shown(name)} was not signed"
+            yield f"account {shown(account)} has another name: {shown(name)} was not signed"
             return
         if called is not None and called != name:
             yield (

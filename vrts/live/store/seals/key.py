@@ -25,7 +25,7 @@ def usual_key() -> Path:
             base = str(Path.home() / ".local" / "state")
         except RuntimeError as problem:
             raise CannotRead(
-                "nobody knows where your home folder is, so there is no place for a key",
+                "vrts cannot find your home folder, so it has no place for a key",
                 ("say where it is to be: `--log-key FILE`",),
             ) from problem
     return Path(base) / "vrts" / NAME

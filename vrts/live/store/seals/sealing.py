@@ -226,7 +226,7 @@ def require_key(root: Root, key: LogKey) -> None:
 def older(root: Root, seen: Seen | None) -> str:
     """Return how a database is older than what is known of it; empty: it is not."""
     if seen is None and root.times > 1:  # the first time, it is written a moment later
-        return "nothing beside the key tells how far these logs had come"
+        return "the file beside the key is missing, which tells how far these logs had come"
     if seen is not None and root.times < seen.count:
         return (
             f"this is an older state of the database: it was signed {root.times} times,"

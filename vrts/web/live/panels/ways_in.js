@@ -46,7 +46,7 @@ export function waysIn(store, toasts, entrance) {
     const name = way.kind === "code" ? `Class code ${ways.code}` : way.kind === "link" ? `Link into ${way.room || "a room that was closed"}` : "Supervisor's link (works once)";
     const it = way.kind === "code" ? `class code ${ways.code}` : way.kind === "link" ? `the link into ${way.room || "a room that was closed"}` : "the supervisor's link";
     const since = way.made ? `since ${new Date(way.made * 1000).toLocaleString([], { dateStyle: "medium", timeStyle: "short" })}` : "";
-    const wrong = way.kind === "code" ? `up to ${ways.wrong} wrong guesses` : "";
+    const wrong = way.kind === "code" ? ways.wrong ? `up to ${ways.wrong} wrong guesses` : "no wrong guesses" : "";
     const act = (/** @type {string} */ text, /** @type {() => void} */ click) =>
       button(text, click, { "data-do": `${text} ${way.id}`, "aria-label": `${text}: ${name}` });
     const renew = way.kind === "code" || (way.kind === "link" && way.room)

@@ -158,7 +158,7 @@ def test_a_full_file_loses_what_is_oldest_and_says_so(tmp_path: Path) -> None:
     growing = driven.session.growing
     assert 0.0 < growing.reaches_s < growing.known_from_s
     assert (tmp_path / FILE).stat().st_size <= 60_000
-    said = [text for text in driven.texts(Happened) if "cannot be gone back to" in text]
+    said = [text for text in driven.texts(Happened) if "nobody can go back before" in text]
     assert said
     assert "full" in said[0]
     refused = driven.done(driven.act(do.Rewind(growing.reaches_s - 1.0)))
