@@ -100,7 +100,7 @@ def test_the_page_is_light_and_has_no_inline_code(browser: Browser, server: Live
     sizes: list[int] = view.value(
         "performance.getEntriesByType('resource').map(entry => entry.decodedBodySize)"
     )
-    assert len(sizes) > 40
+    assert 5 <= len(sizes) <= 8  # bundles: style, two of ours, three of three.js, a sign
     assert sum(sizes) <= HEAVIEST
     answer = server.request("GET", "/")
     text = answer.body.decode()

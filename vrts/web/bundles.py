@@ -25,6 +25,7 @@ _FOREIGN = re.compile(
 )
 _SHEET = re.compile(r'[ \t]*<link rel="stylesheet" href="/web/([^"]+)">\n')
 _SCRIPT = re.compile(r'<script type="module" src="/web/([^"]+)">')
+_LOW: Final = ' fetchpriority="low"'
 _VENDOR: Final = "vendor/"
 
 
@@ -86,15 +87,20 @@ class Bundles:
         return self._bundle(path)
 
     def html(self) -> str:
-        """Return the page: one style sheet, and every module that it needs is asked for at once."""
+        """Return the page: one style sheet, and every module that it needs is asked for at once.
+
+        The style sheet and the first module come before the others.
+        """
         text = asset(self.page)
-        first, *others = _SHEET.findall(text)
+        first = _SHEET.findall(text)[0]
         one = f'  <link rel="stylesheet" href="/web/{self.sheet}">\n'
         text = _SHEET.sub(lambda match: one if match[1] == first else "", text)
         vendored = (p for e in self.entries for p in closure(e) if p.startswith(_VENDOR))
-        needed = dict.fromkeys([*self.entries, *vendored])
-        links = (f'  <link rel="modulepreload" href="/web/{module}">\n' for module in needed)
-        return text.replace("</head>", f"{''.join(links)}</head>", 1) if others else text
+        first_entry, *rest = dict.fromkeys([*self.entries, *vendored])
+        links = [_preload(first_entry, ""), *(_preload(path, _LOW) for path in rest)]
+        for entry in self.entries[1:]:
+            text = text.replace(f'src="/web/{entry}"', f'src="/web/{entry}"{_LOW}')
+        return text.replace("</head>", f"{''.join(links)}</head>", 1)
 
     @property
     def sheet(self) -> str:
@@ -136,6 +142,10 @@ class Bundles:
         if source.startswith(_VENDOR):
             return f'import * as {_name(source)} from "/web/{source}";\n'
         return f'import {{ {_name(source)} }} from "/web/{self._owners[source]}";\n'
+
+
+def _preload(path: str, priority: str) -> str:
+    return f'  <link rel="modulepreload" href="/web/{path}"{priority}>\n'
 
 
 def _closed(path: str) -> str:

@@ -14,9 +14,10 @@ ALL = sorted(path for bundle in PAGE.paths for path in PAGE.parts(bundle))
 
 def test_a_page_asks_for_few_files_before_it_can_begin() -> None:
     page = PAGE.html()
-    named = re.findall(r'<link rel="modulepreload" href="/web/([^"]+)">', page)
-    assert named[:2] == ["live/early.js", MAIN]
-    assert THREE in named
+    named = re.findall(r'<link rel="modulepreload" href="/web/([^"]+)"( fetch\S+)?>', page)
+    assert named[0] == ("live/early.js", "")
+    assert all(priority == ' fetchpriority="low"' for _, priority in named[1:])
+    assert {MAIN, THREE} <= {path for path, _ in named}
     assert len(named) <= 5  # six answers at a time are on their way
     assert page.index("modulepreload") < page.index("<body>")
     assert re.findall(r'<link rel="stylesheet" href="/web/([^"]+)">', page) == [PAGE.sheet]

@@ -2,8 +2,10 @@
 
 import asyncio
 from collections.abc import Awaitable, Callable
+from contextlib import suppress
 from typing import Final
 
+import msgspec
 from starlette.requests import Request
 from starlette.responses import Response
 
@@ -14,13 +16,16 @@ from vrts.live.front.static_files import PAGE, Content, StaticFiles, content
 from vrts.live.lasting.clock import wall
 from vrts.live.logs.replay_page import NoPage, Order, replay_page
 from vrts.live.logs.voices import Said
-from vrts.live.protocol.over_http import Me
-from vrts.live.rooms.entering import log_out
+from vrts.live.protocol.over_http import Carried, Me, Still
+from vrts.live.refusal import NotObeyed
+from vrts.live.rooms.entering import log_out, room_for
 from vrts.live.rooms.hub import Hub
+from vrts.live.rooms.wall import still
 from vrts.live.store import accounts
 from vrts.live.store.accounts import LOGIN_S, Account
 from vrts.live.store.log import export
 from vrts.live.store.rooms import said_to_all
+from vrts.live.store.waiting.journal import NO_ROOM
 
 LONGEST_TOKEN: Final = 128  # characters
 
@@ -38,8 +43,15 @@ class Pages:
         self._replaying = asyncio.Lock()
 
     async def page(self, request: Request) -> Response:
-        """Return the page."""
-        return self._file(request, PAGE)
+        """Return the page; it brings along who one is, and a room's first picture as numbers."""
+        found = self._files.find(PAGE)
+        carried = await self._carried(request)
+        if carried is None or found is None:
+            return self._file(request, PAGE)
+        block = b'<script type="application/json" id="carried">%s</script>\n</body>'
+        data = msgspec.json.encode(carried).replace(b"<", rb"\u003c")  # nothing ends the block
+        page = content(found.plain.replace(b"</body>", block % data, 1), found.type)
+        return page.answer(request, cache="no-store")
 
     async def file(self, request: Request) -> Response:
         """Return a file of the page."""
@@ -118,6 +130,21 @@ class Pages:
         headers = {"content-disposition": f'attachment; filename="{_file_name(room)}.html"'}
         return Response(page, headers=headers, media_type="text/html")
 
+    async def _carried(self, request: Request) -> Carried | None:
+        hub, query = self._hub, request.query_params
+        if request.url.path != "/" or "wall" in query:
+            return None
+        with suppress(NO_ROOM):  # the page comes without it then
+            account = await self.who(request.cookies)
+            if account is None:
+                return None
+            picture: Still | None = None
+            with suppress(NotObeyed):  # who joins the room is told why
+                wanted = hub.projector if "projector" in query else query.get("room", "")
+                picture = still(room_for(hub, account, wanted))
+            return Carried(wall(), self._who_is(account), picture)
+        return None
+
     async def who(self, cookies: dict[str, str]) -> Account | None:
         """Return whose cookie this is."""
         token = cookies.get(self._hub.settings.cookie, "")
@@ -148,9 +175,12 @@ class Pages:
         return answer
 
     def _me(self, account: Account) -> Response:
+        return as_json(self._who_is(account))
+
+    def _who_is(self, account: Account) -> Me:
         settings = self._hub.settings
         rooms, may_reset = self._hub.entries(account), settings.students_reset
-        return as_json(Me(account.name, account.supervisor, rooms, settings.alone, may_reset))
+        return Me(account.name, account.supervisor, rooms, settings.alone, may_reset)
 
 
 def _file_name(room: str) -> str:

@@ -96,6 +96,26 @@ class Me(msgspec.Struct, frozen=True):
     students_reset: bool = False  # operators may reset and rewind
 
 
+class Still(msgspec.Struct, frozen=True):
+    """How a room's arm stands: all that its first picture needs."""
+
+    scene_url: str
+    scene: msgspec.Raw  # what is to be drawn, as under that address
+    time_s: float
+    joints_rad: tuple[float, ...]
+    hand_m: float  # opening
+    tool: tuple[float, ...]  # pose of TOOL in the flange frame; empty: not known
+    bodies: tuple[msgspec.Raw, ...]  # how each movable body lies: `session.messages.Placed`
+
+
+class Carried(msgspec.Struct, frozen=True):
+    """What `GET /` brings with the page, where somebody is logged in: JSON in its `#carried`."""
+
+    now: float  # Unix time [s]
+    me: Me
+    still: Still | None  # of the room that is shown; None: its session does not run
+
+
 class Problem(msgspec.Struct, frozen=True):
     """The body of an HTTP refusal."""
 

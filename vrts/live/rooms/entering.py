@@ -52,7 +52,7 @@ def enter(
     Raises:
         NotObeyed: They may not enter it, or it is full of people who take no more than a share.
     """
-    room = _room_for(hub, account, join.room)
+    room = room_for(hub, account, join.room)
     member = _returning(room, account, join)
     if member is None:
         make_way(hub, room, account, address)
@@ -238,7 +238,12 @@ def _scenes(hub: Hub) -> tuple[SceneEntry, ...]:
     return tuple(SceneEntry(place.id, bool(place.task)) for place in hub.settings.places)
 
 
-def _room_for(hub: Hub, account: Account, wanted: str) -> Room:
+def room_for(hub: Hub, account: Account, wanted: str) -> Room:
+    """Return the room that somebody enters who wants one, or any (the empty string).
+
+    Raises:
+        NotObeyed: They may not enter it, or there is none.
+    """
     only = None if account.supervisor else account.room
     asked = hub.rooms.get(wanted)
     own = asked is not None and asked.is_own(account)

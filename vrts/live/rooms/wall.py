@@ -1,4 +1,4 @@
-"""The wall: all rooms at a glance, with a still of each."""
+"""The wall: all rooms at a glance, with a still of each; and the still that a page begins with."""
 
 import msgspec
 
@@ -6,8 +6,10 @@ from vrts.live.door import text_frame
 from vrts.live.protocol.coding import encode
 from vrts.live.protocol.from_server import Wall
 from vrts.live.protocol.listed import WallRow
+from vrts.live.protocol.over_http import Still
 from vrts.live.rooms.hub import Hub
 from vrts.live.rooms.room import Room
+from vrts.live.session.views.frame import unpacked
 
 
 class Watched(msgspec.Struct, frozen=True):
@@ -19,6 +21,7 @@ class Watched(msgspec.Struct, frozen=True):
     text: str = ""
     contacts: int = 0
     mark: float | None = None
+    tool: tuple[float, ...] = ()
 
 
 class _Placed(msgspec.Struct, frozen=True):
@@ -42,6 +45,24 @@ def learn_bodies(room: Room, message: bytes, *, whole: bool) -> None:
         room.placed.clear()
     for row in _placed.decode(message).bodies:  # later rows of a body replace earlier ones
         room.placed[_body.decode(row).body] = row.copy()
+
+
+def still(room: Room) -> Still | None:
+    """Return how a room's arm stands; None while that is not known."""
+    process = room.process
+    if process is None or not process.ready or not (room.frame or room.status):
+        return None
+    status = _watched.decode(room.status) if room.status else Watched()
+    frame = unpacked(room.frame) if room.frame else None
+    return Still(
+        scene_url=room.scene_url,
+        scene=msgspec.Raw(process.scene),
+        time_s=frame.time_s if frame else status.time_s,
+        joints_rad=frame.joints if frame else status.joints_rad,
+        hand_m=frame.hand_m if frame else status.hand_m,
+        tool=status.tool,
+        bodies=tuple(room.placed.values()),
+    )
 
 
 def show_wall(hub: Hub) -> None:

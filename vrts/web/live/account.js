@@ -1,5 +1,7 @@
 // Who one is: by cookie, join link, class code, or account.
 
+import { carried } from "./still/carried.js";
+
 /** @typedef {{name: string, supervisor: boolean, alone: boolean, students_reset: boolean, rooms: import("./protocol.js").RoomEntry[]}} Me */
 
 /** What the server said when it let nobody in. */
@@ -20,6 +22,12 @@ export function clockOffset() {
 
 /** Return who is logged in; null when nobody is. @returns {Promise<Me | null>} */
 export async function whoAmI() {
+  const brought = carried();
+  if (brought) {
+    const [page] = /** @type {PerformanceNavigationTiming[]} */ (performance.getEntriesByType("navigation"));
+    compareClocks(brought.now * 1000, performance.timeOrigin + page.responseStart);
+    return brought.me;
+  }
   const answer = await fetch("/me");
   readClock(answer);
   return answer.status === 401 ? null : body(answer);
@@ -61,6 +69,10 @@ async function body(answer) {
 /** @param {Response} answer */
 function readClock(answer) {
   const date = Date.parse(answer.headers.get("date") ?? "");
-  // the header counts whole seconds; less than that is no difference
-  if (!Number.isNaN(date) && Math.abs(date - Date.now()) > 1500) offset = (date + 500 - Date.now()) / 1000;
+  if (!Number.isNaN(date)) compareClocks(date + 500, Date.now()); // the header counts whole seconds
+}
+
+/** @param {number} theirs @param {number} ours both since 1970 [ms]; two seconds are no difference */
+function compareClocks(theirs, ours) {
+  if (Math.abs(theirs - ours) > 2_000) offset = (theirs - ours) / 1000;
 }

@@ -1,6 +1,7 @@
-// What need not wait for the rest of the page: the colours that were chosen, and the canvas's WebGL
-// context, whose making takes about as long as the modules are on their way.
+// What need not wait for the rest of the page: the colours that were chosen, a first picture, and the
+// canvas's WebGL context, whose making takes about as long as the modules are on their way.
 
+import { showStill } from "./still/still.js";
 import { applyTheme, chosenTheme } from "./themes.js";
 
 const VIEW = "#canvas";
@@ -10,7 +11,13 @@ const AS_THREE = {
   powerPreference: "default", failIfMajorPerformanceCaveat: false,
 };
 
-applyTheme(chosenTheme());
-if (location.pathname !== "/admin" && !new URLSearchParams(location.search).has("wall")) {
+/** Make the context. */
+function prepare() {
   /** @type {HTMLCanvasElement | null} */ (document.querySelector(VIEW))?.getContext("webgl2", AS_THREE);
+}
+
+applyTheme(chosenTheme());
+showStill();
+if (location.pathname !== "/admin" && !new URLSearchParams(location.search).has("wall")) {
+  requestAnimationFrame(() => setTimeout(prepare)); // after the first picture
 }

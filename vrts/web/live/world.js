@@ -1,18 +1,19 @@
 // The 3D world of a room: the viewer of the reports, fed by frames.
 
-import { Vector3 } from "three";
 import { armFrames } from "../viewer/kinematics.js";
 import { compose, identity, poseFrom } from "../viewer/poses.js";
-import { VIEWS, Viewer } from "../viewer/viewer.js";
-import { framed, worked } from "./layout/framing.js";
+import { FIELD_OF_VIEW } from "../viewer/views.js";
+import { Viewer } from "../viewer/viewer.js";
+import { worked } from "./layout/corners.js";
+import { aimed } from "./layout/framing.js";
 import { lookedAt } from "./looking.js";
 import { Motion } from "./motion.js";
+import { carried } from "./still/carried.js";
+import { endStill } from "./still/ended.js";
 import { onTheme, theme } from "./themes.js";
 
 const AFTERGLOW = 2.5; // how long a contact stays lit after its end, or after it was heard of [s]
 const LATER = 2_000; // after the first picture reflections are worked out [ms]
-const FARTHER = 1.42; // times
-const RAISED = 0.42; // by which the overview looks higher than the reports' [m]
 
 /** @typedef {import("../viewer/replay.js").State} State */
 /** @typedef {import("../viewer/viewer.js").SceneData} SceneData */
@@ -64,6 +65,11 @@ export class World {
     if (url === this.url) return;
     this.url = url;
     if (!url) return;
+    const brought = carried()?.still;
+    if (brought?.scene_url === url) {
+      this.begin(brought.scene);
+      return;
+    }
     const answer = await fetch(url);
     if (this.url !== url) return; // another one by now
     if (!answer.ok) throw new Error(`the scene could not be fetched (${answer.status})`);
@@ -140,7 +146,10 @@ export class World {
     }
     const first = !this.state;
     this.state = state;
-    if (first) this.lookFrom(this.beginning, false); // now that it is known how the arm stands
+    if (first) {
+      this.lookFrom(this.beginning, false); // now that it is known how the arm stands
+      requestAnimationFrame(endStill); // after it is drawn
+    }
     const lit = this.lit(state.t);
     this.viewer.highlight(lit.length ? this.mark(lit) : null);
     for (const tell of this.watchers) tell(state, outputs, flags);
@@ -186,24 +195,13 @@ export class World {
   }
 }
 
-/**
- * Look from a preset view point. The overview stands far enough away for an arm that points up; the
- * table is seen from as near as arm and table fill the picture.
- * @param {Viewer} viewer @param {string} name
- */
+/** Look from a preset view point, or follow the hand. @param {Viewer} viewer @param {string} name */
 export function look(viewer, name) {
   viewer.look(name);
+  if (viewer.following) return;
   const { camera, controls } = viewer;
-  if (name === "overview") {
-    controls.target.z += RAISED;
-    camera.position.z += RAISED;
-    viewer.zoom(FARTHER);
-  } else if (name === "table") {
-    const { eye, target } = VIEWS.table;
-    const ahead = new Vector3().fromArray(target).sub(new Vector3().fromArray(eye)).normalize();
-    const found = framed(worked(viewer), ahead, (camera.fov * Math.PI) / 180, camera.aspect);
-    camera.position.copy(found.eye);
-    controls.target.copy(found.target);
-    controls.update();
-  }
+  const { eye, target } = aimed(name, (FIELD_OF_VIEW * Math.PI) / 180, camera.aspect, () => worked(viewer), []);
+  camera.position.fromArray(eye);
+  controls.target.fromArray(target);
+  controls.update();
 }

@@ -5,7 +5,7 @@ import {
   MeshStandardMaterial, Vector3, ArrowHelper,
 } from "three";
 import { label } from "./labels.js";
-import { THEMES } from "./look.js";
+import { THEMES } from "./colors.js";
 
 const MINOR = 0.1; // [m]
 const MAJOR = 0.5; // [m]

@@ -1,28 +1,7 @@
-// What things look like: materials of the robot and of bodies, colours of the two themes.
+// What things look like: materials of the robot and of bodies.
 
 import { Color, MeshStandardMaterial } from "three";
-
-/** @typedef {"light"|"dark"} Theme */
-
-export const THEMES = {
-  light: { sky: 0xe4e9ee, floor: 0xb9c0c7, minor: 0xa5adb5, major: 0x8d97a1, text: "#38424c", halo: "#ffffff",
-    ambient: 0.5, sun: 2.6 },
-  dark: { sky: 0x262b32, floor: 0x3a424b, minor: 0x4b5560, major: 0x65717e, text: "#e3e9ef", halo: "#181c21",
-    ambient: 0.45, sun: 2.3 },
-};
-
-const WARM_WHITE = 0xe6dfd0; // the arm castings of the series: a warm light grey
-const CHARCOAL = 0x36393d;
-const STEEL = 0x9aa0a6;
-const ALUMINIUM = 0xc9cdd1;
-const RUBBER = 0x1d1e20;
-
-/** Castings by link name; round covers of the joints are dark on all of them. */
-const LINKS = {
-  base: CHARCOAL, turret: WARM_WHITE, "upper arm": WARM_WHITE, forearm: WARM_WHITE,
-  wrist: CHARCOAL, "wrist bend": WARM_WHITE, flange: STEEL,
-};
-const COVERED = new Set(["turret", "upper arm", "forearm"]);
+import { ALUMINIUM, CHARCOAL, RUBBER, STEEL, linkColor } from "./colors.js";
 
 /**
  * Return the material of a piece of a link.
@@ -30,8 +9,7 @@ const COVERED = new Set(["turret", "upper arm", "forearm"]);
  * @param {string} shape of the piece
  */
 export function linkMaterial(link, shape) {
-  const cover = shape === "cylinder" && COVERED.has(link);
-  const color = cover ? CHARCOAL : LINKS[/** @type {keyof typeof LINKS} */ (link)] ?? WARM_WHITE;
+  const color = linkColor(link, shape);
   if (color === STEEL) return metal(STEEL, 0.35);
   return new MeshStandardMaterial({ color, roughness: color === CHARCOAL ? 0.55 : 0.42, metalness: 0.05 });
 }

@@ -9,8 +9,9 @@ import { OrbitControls } from "../vendor/three/OrbitControls.js";
 import { BodyFigure, RobotFigure, ghost, tint } from "./figures.js";
 import { ground, ruler } from "./ground.js";
 import { label } from "./labels.js";
-import { THEMES } from "./look.js";
+import { THEMES } from "./colors.js";
 import { poseFrom } from "./poses.js";
+import { FIELD_OF_VIEW, VIEWS, stoodBack } from "./views.js";
 
 /** @typedef {import("./figures.js").BodyData} BodyData */
 /** @typedef {import("./replay.js").State} State */
@@ -26,15 +27,6 @@ import { poseFrom } from "./poses.js";
  * @property {{body: string, X: number[], title: string}[]} goals
  * @property {{name: string, point: number[], radius: number}[]} vias
  */
-
-/** Preset view points: where the eye stands and what it looks at [m]. */
-export const VIEWS = {
-  overview: { eye: [3.0, -2.5, 1.15], target: [0.5, 0, -0.06] },
-  front: { eye: [4.2, 0, 0.35], target: [0.4, 0, -0.02] },
-  side: { eye: [0.5, -4.1, 0.3], target: [0.5, 0, -0.02] },
-  table: { eye: [2.25, -1.35, 0.75], target: [0.95, 0, -0.22] },
-  top: { eye: [0.7, -0.01, 3.8], target: [0.7, 0, 0] },
-};
 
 /** @typedef {{bodies: string[], robot: boolean, point: number[] | null}} Mark what touches */
 
@@ -64,7 +56,7 @@ export class Viewer {
     this.renderer.shadowMap.type = PCFShadowMap;
     this.renderer.toneMapping = NeutralToneMapping;
     this.scene = new Scene();
-    this.camera = new PerspectiveCamera(36, 1, 0.05, 30);
+    this.camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.05, 30);
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.maxDistance = 8;
@@ -233,9 +225,9 @@ export class Viewer {
     this.following = name === "hand";
     const view = VIEWS[/** @type {keyof typeof VIEWS} */ (name)];
     if (view) {
-      const { eye, target } = this.fit(view);
-      this.camera.position.copy(eye);
-      this.controls.target.copy(target);
+      const { eye, target } = stoodBack(view, this.camera.aspect);
+      this.camera.position.fromArray(eye);
+      this.controls.target.fromArray(target);
     } else if (this.following) {
       const away = this.camera.position.clone().sub(this.controls.target).setLength(1.1);
       this.camera.position.copy(this.controls.target).add(away);
@@ -283,16 +275,6 @@ export class Viewer {
     this.controls.target.copy(target);
     this.controls.update();
     this.following = following;
-  }
-
-  /**
-   * Step back where the canvas is narrow, so that the same width is seen.
-   * @param {{eye: number[], target: number[]}} view
-   */
-  fit(view) {
-    const target = new Vector3().fromArray(view.target);
-    const away = new Vector3().fromArray(view.eye).sub(target);
-    return { target, eye: target.clone().add(away.multiplyScalar(Math.max(1, 1.25 / this.camera.aspect))) };
   }
 
   /** Take the canvas's size on the page. */

@@ -2,6 +2,7 @@
 
 import itertools
 import json
+import re
 from collections.abc import Iterator
 from typing import Any
 
@@ -409,3 +410,53 @@ def test_who_comes_back_has_missed_nothing(server: LiveServer) -> None:
     foreign = server.join(server.enter("Eve"), resume=welcome["resume"], seen=seen)
     assert not foreign.wait("welcome")["resumed"], "a token of somebody else is of no use"
     free(back)
+
+
+def carried(server: LiveServer, path: str, cookie: str) -> Any:
+    """Return what the page brings along, None when it is the page of everybody."""
+    page = server.request("GET", path, cookie=cookie)
+    assert page.status == 200
+    text = page.body.decode()
+    found = re.findall(r'<script type="application/json" id="carried">(.*)</script>', text)
+    assert (page.headers["cache-control"] == "no-store") == bool(found), "nobody else may keep it"
+    assert text.count("</script>") == 2 + len(found), "no name ends the block"
+    return json.loads(found[0]) if found else None
+
+
+def test_the_page_brings_along_how_the_arm_stands_now(server: LiveServer) -> None:
+    cookie = server.enter("Eve </script><b>")
+    eve = server.join(cookie)
+    arrive(eve)
+    lease = eve.take_control()
+    of = eve.command(lease, "line", line="DO DRIVE 2,-15,100")
+    eve.wait("result", lambda m: m["of"] == of)
+    eve.wait("now", lambda m: m["status"]["mode"] == "idle")
+    last = unpacked(eve.frames[-1])
+    brought = carried(server, "/", cookie)
+    still = brought["still"]
+    assert brought["me"] == server.request("GET", "/me", cookie=cookie).json
+    assert still["joints_rad"] == pytest.approx(last.joints, abs=1e-4)
+    assert still["scene"] == server.request("GET", still["scene_url"], cookie=cookie).json
+    movable = {body["name"] for body in still["scene"]["bodies"] if body["movable"]}
+    assert {row["body"] for row in still["bodies"]} == movable != set()
+    assert len(still["tool"]) == 12
+    free(eve)
+
+
+def test_the_page_brings_nothing_to_who_may_not_see_it(server: LiveServer) -> None:
+    assert carried(server, "/", "") is None
+    assert carried(server, "/", "vrts=made-up") is None
+    cookie = server.enter("Finn")
+    assert carried(server, "/?wall", cookie) is None
+    assert carried(server, "/admin", cookie) is None
+    assert carried(server, "/?room=elsewhere", cookie)["still"] is None
+    finn = server.join(cookie)
+    arrive(finn)
+    own = finn.wait("rooms")["rooms"][0]["id"]
+    assert carried(server, f"/?room={own}", cookie)["still"]["scene_url"].split("/")[2] == own
+    boss = teacher(server)
+    person = boss.wait("people", lambda m: any(p["name"] == "Finn" for p in m["people"]))
+    id_ = next(p["id"] for p in person["people"] if p["name"] == "Finn")
+    boss.send("kick", person=id_)
+    assert finn.closed() is not None
+    assert carried(server, f"/?room={own}", cookie)["still"] is None, "sent away from it"

@@ -9,6 +9,7 @@ import { STATES } from "../panels/top.js";
 import { mountViews } from "../panels/views.js";
 import { isolated } from "../names.js";
 import { persons } from "../persons.js";
+import { readyNow } from "../still/ended.js";
 import { started } from "./room.js";
 
 /** @param {import("../account.js").Me} me */
@@ -41,4 +42,5 @@ export function showProjector(me) {
     byId("link-state").className = `chip ${connection}`;
   });
   byId("turn").after(make("a", { class: "button", href: "/", text: "To my room" }));
+  readyNow();
 }

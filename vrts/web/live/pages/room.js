@@ -8,6 +8,7 @@ import { bindKeys } from "../keys.js";
 import { mountLayout } from "../layout/mount.js";
 import { mountSelection } from "../selection.js";
 import { barOf, mountNotices } from "../notices.js";
+import { endStill, readyNow } from "../still/ended.js";
 import { Store } from "../store.js";
 import { Toasts } from "../toasts.js";
 import { World } from "../world.js";
@@ -77,6 +78,7 @@ export function showRoom(me, wanted) {
   }
   mountSettings(app);
   bindKeys(app);
+  readyNow();
 }
 
 /** Add a part of the page that the first picture does not need. @param {App} app @param {() => Promise<void>} part */
@@ -130,6 +132,12 @@ export function started(room, follow) {
   store.on(["sceneUrl"], ({ sceneUrl }) => {
     world.load(sceneUrl).catch((error) => noView(error, toasts));
   });
+  store.on(["connection", "noSession"], ({ connection, noSession }) => {
+    if (connection === "ended" || noSession?.why) endStill();
+  });
+  store.on(["session", "sceneUrl"], ({ session, sceneUrl }) => {
+    if (session >= 0 && !sceneUrl) endStill();
+  });
   store.on(["contacts"], ({ contacts }) => (world.contacts = contacts));
   store.on(["status"], ({ status }) => status && world.know(status));
   if (follow) {
@@ -144,6 +152,7 @@ export function started(room, follow) {
 
 /** @param {Error} error @param {Toasts} toasts */
 function noView(error, toasts) {
+  endStill();
   if (/webgl/i.test(error.message)) byId("no-view").hidden = false;
   else toasts.warn(error.message);
 }

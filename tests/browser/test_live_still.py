@@ -1,0 +1,91 @@
+"""A room's first picture: drawn before the 3D view is there, and followed by it without a jump."""
+
+from collections.abc import Callable, Iterator
+
+import pytest
+from playwright.sync_api import Browser, Route
+
+from tests.browser.first_picture import BARE, BOX, WITHOUT, arm_share, pixels
+from tests.browser.support import PATIENCE
+from tests.browser.support_sessions import SHOWN, Desk
+from tests.support_live import LiveServer
+
+pytestmark = pytest.mark.browser
+
+MOVED = "DO DRIVE 1,40,100"
+STILL = "document.querySelector('#view canvas.still')"
+
+
+@pytest.fixture(scope="module")
+def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[LiveServer]:
+    with LiveServer(tmp_path_factory.mktemp("still") / "live") as started:
+        yield started
+
+
+@pytest.fixture(scope="module")
+def cookie(server: LiveServer) -> str:
+    """Somebody who has moved the arm, so that it stands elsewhere than at the beginning."""
+    cookie = server.enter("Anna")
+    anna = server.join(cookie)
+    anna.wait("now")
+    lease = anna.take_control()
+    of = anna.command(lease, "line", line=MOVED)
+    anna.wait("result", lambda m: m["of"] == of)
+    anna.wait("now", lambda m: m["status"]["mode"] == "idle")
+    server.close_browsers()
+    return cookie
+
+
+def held_back(
+    browser: Browser, server: LiveServer, cookie: str, size: tuple[int, int], *, dark: bool
+) -> tuple[Desk, Callable[[], None]]:
+    """Open the room while all that is not needed for the first picture stays on its way."""
+    context = browser.new_context(
+        viewport={"width": size[0], "height": size[1]},
+        color_scheme="dark" if dark else "light",
+        reduced_motion="reduce",
+    )
+    context.set_default_timeout(PATIENCE * 1000)
+    view = Desk(context.new_page(), context)
+    view.page.on("console", lambda m: view.messages.append(f"{m.type}: {m.text}"))
+    view.page.on("pageerror", lambda e: view.messages.append(f"exception: {e}"))
+    for one in cookie.split("; "):
+        name, value = one.split("=", 1)
+        context.add_cookies([{"name": name, "value": value, "url": f"http://{server.host}"}])
+    waiting: list[Route] = []
+    view.page.route("**/web/live/main.js", lambda route: waiting.append(route))
+    view.page.goto(f"http://{server.host}/", wait_until="commit")
+
+    def go_on() -> None:
+        for route in waiting:
+            route.continue_()
+        view.page.unroute("**/web/live/main.js")
+
+    return view, go_on
+
+
+@pytest.mark.parametrize(
+    ("size", "dark"),
+    [
+        ((390, 844), False),
+        pytest.param((1366, 768), True, marks=pytest.mark.thorough),
+    ],
+)
+def test_the_3d_view_takes_over_from_a_still_without_a_jump(
+    browser: Browser, server: LiveServer, cookie: str, size: tuple[int, int], dark: bool
+) -> None:
+    view, go_on = held_back(browser, server, cookie, size, dark=dark)
+    view.until(f"Boolean({STILL})")
+    box, still = view.value(f"({BOX})()"), pixels(view.page)
+    assert view.page.locator("#control-button").is_visible() is False, "it does not work yet"
+    go_on()
+    view.until(SHOWN)
+    view.until(f"{STILL} === null && !document.body.className")
+    assert view.page.locator("#control-button").is_visible()
+    assert view.value(f"({BOX})()") == pytest.approx(box, abs=0.5), "nothing moves"
+    view.page.evaluate(BARE)
+    with_arm = pixels(view.page)
+    view.page.evaluate(WITHOUT)
+    assert arm_share(still, with_arm, pixels(view.page)) > 0.85
+    assert view.complaints() == []
+    view.context.close()
