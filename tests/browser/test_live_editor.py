@@ -153,9 +153,14 @@ def test_two_persons_lose_nothing_of_one_program(browser: Browser, server: LiveS
     for person, text in ((anna, ".PROGRAM both\n.END\n"), (ben, ".PROGRAM both\nSTOP\n.END\n")):
         write(person, text)
         person.page.select_option("[aria-label='Where it is kept']", "room")
-        person.page.click("button:text-is('Save')")
+        person.until("document.querySelector('#panel-editor button.main').disabled")
+        assert "take control" in person.page.get_attribute("button:text-is('Save')", "title")
+        person.page.click("#control-button")
+        person.page.click("button:text-is('Save')")  # Playwright waits until it can be pressed
         if person is anna:
             anna.until("document.querySelector('.told').textContent.startsWith('saved, version 1')")
+            anna.page.click("#control-button")
+            ben.until("vrts.store.now.control.holder === ''")
     ben.until(
         "document.querySelector('dialog.asking h2')?.textContent === 'There is a newer version'"
     )

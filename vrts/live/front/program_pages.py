@@ -1,4 +1,8 @@
-"""Programs that are kept, over HTTP: lists, versions, texts, saving, forgetting."""
+"""Programs that are kept, over HTTP: lists, versions, texts, saving, forgetting.
+
+One's own shelf is for everybody who is logged in, also after their room was closed. On that of a
+room who may command there saves, and who is in it reads.
+"""
 
 from collections import OrderedDict
 from typing import Final, Literal, NamedTuple
@@ -36,6 +40,10 @@ LONGEST_BODY: Final = 1_300_000  # bytes: 200,000 characters, escaped
 RATE: Final = (0.5, 20.0)  # requests of a person that write, a second and at once
 PERSONS: Final = 2000  # whose requests are counted
 LONGEST_WORD: Final = 128  # characters of what an address holds
+NO_CONTROL: Final = (
+    "only who has control saves programs for the room",
+    "take control, or save it for yourself",
+)
 FULL: Final = (
     "your programs take all the space that one person has",
     "delete some, or download them first",
@@ -118,6 +126,8 @@ class ProgramPages:
         if isinstance(place, Response):
             return place
         account, shelf = place
+        if body.shelf == "room" and not self._hub.rooms[body.room].lets_save(account):
+            return refused(403, "role", *NO_CONTROL)
         version = Version(body.name, 0, wall(), account.id, account.name, 0)
         length, clock = len(body.text), steady()
 
@@ -159,11 +169,12 @@ class ProgramPages:
     async def _place(
         self, request: Request, room: str, shelf: Literal["own", "room"], *, writes: bool = False
     ) -> _Place | Response:
-        """Return a shelf, or why it may not be used; one's own is for who is in a room, too."""
+        """Return a shelf, or why it may not be used."""
         account = await self._who(request.cookies)
         if account is None:
             return refused(401, "login", "nobody is logged in", "open the join link again")
-        if not any(entry.id == room for entry in self._hub.entries(account)):
+        may = shelf == "own" or any(entry.id == room for entry in self._hub.entries(account))
+        if not may:
             return refused(404, "room", "there is no such room for you any more")
         if writes and not self._lets(account):
             return refused(429, "limit", "you save too often", "wait a few seconds")

@@ -116,6 +116,12 @@ class Room:
         """Return whether it is somebody's private room."""
         return self.branch is not None and self.branch.owner == account.id
 
+    def lets_save(self, account: Account) -> bool:
+        """Return whether somebody may save programs for all who are here: who may command."""
+        holder = self.members.get(self.control.holder)
+        operates = holder is not None and holder.account.id == account.id
+        return account.supervisor or operates or self.is_own(account)
+
     @property
     def crowd(self) -> int:
         """How many people are here; some have several pages open."""

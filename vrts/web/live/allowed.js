@@ -14,7 +14,15 @@ export function whyNoCommand(now) {
   return "";
 }
 
-/** The values that `whyNoCommand` reads. @type {(keyof import("./store.js").Known)[]} */
+/**
+ * Return why no program can be saved for the room now; empty: it can.
+ * @param {import("./store.js").Known} now
+ */
+export function whyNotForRoom({ control, you, supervisor }) {
+  return supervisor || (you && control.holder === you) ? "" : "Only the person with control saves programs for the room: take control, or save it for yourself.";
+}
+
+/** The values that these read. @type {(keyof import("./store.js").Known)[]} */
 export const COMMANDING = ["connection", "control", "you", "alive"];
 
 /**

@@ -6,7 +6,7 @@ from urllib.parse import quote
 
 import pytest
 
-from tests.support_live import Answer, LiveServer
+from tests.support_live import Answer, Browser, LiveServer
 from vrts.live.front.program_pages import RATE
 
 TEXT = ".PROGRAM pick\n  MOVE part\n.END\n"
@@ -23,6 +23,7 @@ class Person:
 
     def __init__(self, server: LiveServer, cookie: str) -> None:
         self.server, self.cookie = server, cookie
+        self.page: Browser | None = None
         self.room = self.get("/me")["rooms"][0]["id"]
 
     def get(self, path: str) -> Any:
@@ -33,6 +34,15 @@ class Person:
     def post(self, what: str, **fields: Any) -> Answer:
         body = {"room": self.room, **fields}
         return self.server.request("POST", f"/programs/{what}", body, cookie=self.cookie)
+
+    def take_control(self) -> None:
+        self.page = self.page or self.server.join(self.cookie)
+        self.page.take_control()
+
+    def hand_back(self) -> None:
+        assert self.page is not None
+        self.page.send("hand_back")
+        self.page.wait("control", lambda m: m["holder"] == "")
 
     def keep(self, text: str, seen: int, shelf: str = "room", name: str = "pick") -> Any:
         answer = self.post("keep", shelf=shelf, name=name, text=text, seen=seen)
@@ -46,8 +56,17 @@ class Person:
 
 def test_two_persons_share_the_rooms_programs_and_lose_none(server: LiveServer) -> None:
     anna, ben = (Person(server, server.enter(name)) for name in ("Anna", "Ben"))
+    viewer = anna.post("keep", shelf="room", name="pick", text=TEXT, seen=0)
+    assert (viewer.status, viewer.json["code"]) == (403, "role"), "who may not command"
+    assert "who has control" in viewer.json["text"]
+    assert "save it for yourself" in viewer.json["help"]
+    anna.take_control()
     assert anna.keep(TEXT, 0)["saved"]
+    anna.hand_back()
+    ben.take_control()
     assert ben.keep("Ben's", 1)["version"]["number"] == 2
+    ben.hand_back()
+    anna.take_control()
     refused = anna.keep("Anna's", 1)
     assert not refused["saved"]
     assert (refused["version"]["saver"], refused["version"]["mine"]) == ("Ben", False)
@@ -79,7 +98,7 @@ def test_strangers_and_nonsense_keep_nothing(server: LiveServer) -> None:
         ({"seen": -1}, 400),
         ({"text": "x" * 200_001}, 400),
         ({"text": "x" * 1_400_000}, 413),
-        ({"room": "elsewhere"}, 404),
+        ({"shelf": "room", "room": "elsewhere"}, 404),
         ({"path": "/etc"}, 400),
     ):
         assert anna.post("keep", **{**fields, **changed}).status == status, str(changed)[:80]
@@ -91,6 +110,13 @@ def test_strangers_and_nonsense_keep_nothing(server: LiveServer) -> None:
         path = f"/programs/text?room={anna.room}&name=a&{address}"
         assert server.request("GET", path, cookie=anna.cookie).status == 404
     assert anna.get(f"/programs?room={anna.room}")["own"] == []
+
+
+def test_who_is_in_no_room_saves_for_themselves(server: LiveServer) -> None:
+    dora = Person(server, server.enter("Dora"))
+    dora.room = "closed"  # such as by the supervisor, while she wrote
+    assert dora.keep(TEXT, 0, shelf="own", name="late")["saved"]
+    assert dora.text(1, shelf="own", name="late").json == {"text": TEXT}
 
 
 def test_who_saves_too_often_waits(server: LiveServer) -> None:

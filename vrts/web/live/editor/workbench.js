@@ -1,6 +1,6 @@
 // The workbench: what is open, saving and its versions, loading and running, around the editor.
 
-import { COMMANDING, whyNoCommand } from "../allowed.js";
+import { COMMANDING, allow, whyNoCommand, whyNotForRoom } from "../allowed.js";
 import { byId, button, make, write } from "../dom.js";
 import { LONGEST_PROGRAM } from "../protocol.js";
 import { light } from "./at_work.js";
@@ -294,6 +294,7 @@ export function openWorkbench({ store, command, act, toasts }, panel) {
       [text().length > LONGEST_PROGRAM, "It is too long for a program."],
     ];
     const reason = /** @type {string} */ (reasons.find(([holds]) => holds)?.[1] ?? "");
+    allow(save, shelf.value === "room" ? whyNotForRoom(store.now) : "");
     load.disabled = run.disabled = Boolean(reason);
     stop.disabled = Boolean(refused) || !busy;
     write(why, reason || (mistakes ? "The robot refuses what has mistakes." : ""));
