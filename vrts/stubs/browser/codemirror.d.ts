@@ -15,11 +15,15 @@ export class Text {
   lines: number;
   line(number: number): Line;
   lineAt(at: number): Line;
+  eq(other: Text): boolean;
   toString(): string;
 }
 
 export class ChangeSet {
-  mapPos(at: number): number;
+  mapPos(at: number, side?: number): number;
+  compose(after: ChangeSet): ChangeSet;
+  invertedDesc: { mapPos(at: number, side?: number): number };
+  iterChanges(told: (from: number, to: number, fromNow: number, toNow: number, inserted: Text) => void): void;
 }
 
 export class StateEffect<Value> {
@@ -34,6 +38,8 @@ interface EffectType<Value> {
 export interface Transaction {
   changes: ChangeSet;
   docChanged: boolean;
+  startState: EditorState;
+  newDoc: Text;
   effects: StateEffect<any>[];
 }
 
@@ -50,6 +56,7 @@ interface Range {}
 interface Facet<Value> {
   of(value: Value): Extension;
   from(field: StateField<any>): Extension;
+  compute(of: StateField<any>[], made: (state: EditorState) => Value): Extension;
 }
 
 interface Selection {
@@ -87,16 +94,36 @@ export class EditorView {
   static inputHandler: Facet<InputHandler>;
   static updateListener: Facet<(update: any) => void>;
   static domEventHandlers(handlers: { beforeinput: (event: InputEvent, view: EditorView) => boolean }): Extension;
+  static announce: EffectType<string>;
   static scrollIntoView(at: number, options: { y: string; yMargin: number }): StateEffect<any>;
 }
 
 export class Decoration {
   static none: Decoration;
   static line(spec: { class: string; attributes: Record<string, string> }): Decoration;
-  static set(ranges: Range[]): Decoration;
+  static widget(spec: { widget: WidgetType; side: number }): Decoration;
+  static set(ranges: Range[], sort?: boolean): Decoration;
   range(from: number): Range;
   map(changes: ChangeSet): Decoration;
 }
+
+export class WidgetType {
+  toDOM(): HTMLElement;
+  eq(other: WidgetType): boolean;
+}
+
+export class GutterMarker {
+  eq(other: GutterMarker): boolean;
+  toDOM(): HTMLElement;
+}
+
+export function gutter(config: {
+  class: string;
+  renderEmptyElements: boolean;
+  lineMarker: (view: EditorView, line: { from: number }) => GutterMarker | null;
+  lineMarkerChange: (update: { startState: EditorState; state: EditorState }) => boolean;
+  domEventHandlers: Record<string, (view: EditorView, line: { from: number }, event: any) => boolean>;
+}): Extension;
 
 export const ViewPlugin: { fromClass(plugin: new (view: EditorView) => object): Extension };
 export const keymap: Facet<object[]>;

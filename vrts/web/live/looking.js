@@ -13,6 +13,8 @@
 
 /** @type {number | null} */
 let moment = null; // session time [s]; null: what is now
+/** @type {(() => void) | null} what to do when the room is looked at again; null: it is */
+let leave = null;
 /** @type {((at_s: number | null) => void)[]} */
 const watchers = [];
 /** @type {((then: Then | null) => void)[]} */
@@ -26,6 +28,19 @@ export function look(at_s) {
 /** Look at what is now again. */
 export function backToLive() {
   set(null);
+  leaveOther();
+}
+
+/** Look at something else than the room, until somebody looks at the room or its past again. @param {() => void} left told then */
+export function lookAtOther(left) {
+  set(null);
+  leaveOther();
+  leave = left;
+}
+
+/** Whether this page shows what is now in the room. */
+export function isLive() {
+  return moment === null && leave === null;
 }
 
 /** Return the moment that is looked at [s]; null: what is now. */
@@ -51,7 +66,14 @@ export function onThen(tell) {
 
 /** @param {number | null} at_s */
 function set(at_s) {
+  if (at_s !== null) leaveOther();
   if (at_s === moment) return;
   moment = at_s;
   for (const tell of watchers) tell(moment);
+}
+
+function leaveOther() {
+  const left = leave;
+  leave = null;
+  left?.();
 }

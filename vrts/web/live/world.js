@@ -6,7 +6,7 @@ import { FIELD_OF_VIEW } from "../viewer/views.js";
 import { Viewer } from "../viewer/viewer.js";
 import { worked } from "./layout/corners.js";
 import { aimed } from "./layout/framing.js";
-import { lookedAt } from "./looking.js";
+import { isLive } from "./looking.js";
 import { Motion } from "./motion.js";
 import { carried } from "./still/carried.js";
 import { endStill } from "./still/ended.js";
@@ -18,6 +18,7 @@ const LATER = 2_000; // after the first picture reflections are worked out [ms]
 /** @typedef {import("../viewer/replay.js").State} State */
 /** @typedef {import("../viewer/viewer.js").SceneData} SceneData */
 /** @typedef {{state: State, outputs: number, flags: number}} Seen */
+/** @typedef {{seen: () => Seen | null, contacts: import("./protocol.js").Contact[], near: import("./protocol.js").Contact[]}} Instead */
 
 /** Shows what the last frames say, at the screen's own rate. */
 export class World {
@@ -46,6 +47,8 @@ export class World {
     this.now = 0; // session time that is shown where nobody looks at the past [s]
     /** @type {(() => Seen | null) | null} what to show instead of what is now */
     this.elsewhere = null;
+    /** @type {Instead | null} what is shown instead of the room and its past */
+    this.instead = null;
     /** @type {(() => void)[]} told when session time jumps */
     this.jumpWatchers = [];
     this.url = "";
@@ -140,7 +143,7 @@ export class World {
     const shown = this.motion.at(now);
     if (!shown || !this.viewer) return;
     this.now = shown.t;
-    const { state, outputs, flags } = this.elsewhere?.() ?? { state: this.live(shown, this.viewer), outputs: shown.outputs, flags: shown.flags };
+    const { state, outputs, flags } = (this.instead ? this.instead.seen() : this.elsewhere?.()) ?? { state: this.live(shown, this.viewer), outputs: shown.outputs, flags: shown.flags };
     if (this.changed(state)) {
       this.viewer.show(state);
     }
@@ -179,7 +182,7 @@ export class World {
   /** Return the contacts to be lit up at a time. @param {number} t [s] */
   lit(t) {
     if (!this.showContacts) return [];
-    if (lookedAt() !== null) return this.contacts.filter(({ start, end }) => start <= t && t <= end);
+    if (!isLive()) return (this.instead?.contacts ?? this.contacts).filter(({ start, end }) => start <= t && t <= end);
     return this.contacts.filter(({ start, end, heard }) => start <= t && t <= Math.max(end, heard ?? end) + AFTERGLOW);
   }
 

@@ -10,6 +10,7 @@ import { forEachDiagnostic, lintGutter, lintKeymap, openLintPanel } from "@codem
 import { highlightSelectionMatches, searchKeymap } from "@codemirror/search";
 import { EditorState, Prec } from "@codemirror/state";
 import { EditorView, drawSelection, highlightActiveLine, highlightActiveLineGutter, highlightSpecialChars, keymap, lineNumbers } from "@codemirror/view";
+import { breakpoints } from "../rehearsal/gutter.js";
 import { atWork } from "./at_work.js";
 import { whenFixesCome } from "./diagnostics.js";
 import { closeExplained, explain, hover } from "./hover.js";
@@ -55,7 +56,7 @@ function typedOver(event, view) {
 export function makeView(host, help, told) {
   const root = host.attachShadow({ mode: "open" });
   const extensions = [
-    lineNumbers(), lintGutter(), history(), drawSelection(), highlightSpecialChars(), highlightActiveLine(),
+    breakpoints, lineNumbers(), lintGutter(), history(), drawSelection(), highlightSpecialChars(), highlightActiveLine(),
     highlightActiveLineGutter(), bracketMatching(), closeBrackets(), highlightSelectionMatches(), indentUnit.of("  "),
     language, completion(help), hover(help), signature(help), atWork, theme,
     EditorView.domEventHandlers({ beforeinput: typedOver }),

@@ -4,6 +4,8 @@ import { COMMANDING, allow, whyNoCommand, whyNotForRoom } from "../allowed.js";
 import { byId, button, make, write } from "../dom.js";
 import { LONGEST_PROGRAM } from "../protocol.js";
 import { light } from "./at_work.js";
+import { KEYS as REHEARSING } from "../rehearsal/bar.js";
+import { mountRehearsal } from "../rehearsal/rehearsal.js";
 import { asked } from "./asking.js";
 import { mark } from "./diagnostics.js";
 import { keepDraft, keptDraft } from "./draft.js";
@@ -17,7 +19,7 @@ import { makeView } from "./view.js";
 const NEW = ".PROGRAM main\n  \n.END\n";
 const KEYS = [
   ["Escape, then Tab", "leave the editor"], ["Ctrl+S", "save"], ["Ctrl+Enter", "load and run"], ["Ctrl+Space", "what may stand here"],
-  ["F1", "what this word is"], ["F8", "next mistake"], ["Ctrl+.", "mend it"], ["Shift+Alt+F", "lay out"], ["Ctrl+F", "find"],
+  ["F1", "what this word is"], ["F8", "next mistake"], ["Ctrl+.", "mend it"], ["Shift+Alt+F", "lay out"], ["Ctrl+F", "find"], ...REHEARSING,
 ];
 const MOST_REMARKS = 3; // lines of the monitor that are said here, too
 const BUSY = ["running", "waiting"];
@@ -25,7 +27,8 @@ const BUSY = ["running", "waiting"];
 /** @typedef {{shelf: import("./shelf.js").Shelf, name: string, seen: number}} Opened `seen`: version that one knows of; 0: none */
 
 /** @param {import("../pages/room.js").App} app @param {HTMLElement} panel */
-export function openWorkbench({ store, command, act, toasts }, panel) {
+export function openWorkbench(app, panel) {
+  const { store, command, act, toasts } = app;
   const shelves = new Shelves(() => store.now.room?.id ?? "");
   /** @type {{own: import("./shelf.js").Version[], room: import("./shelf.js").Version[]}} */
   let kept = { own: [], room: [] };
@@ -80,7 +83,12 @@ export function openWorkbench({ store, command, act, toasts }, panel) {
   });
   /** @type {import("@codemirror/view").EditorView} */
   const view = makeView(host, help, { changed, save: () => void keep(), run: () => void toRobot(true), layOut: () => void layOut() });
-  Object.assign(window, { editing: { view, help } }); // for tests and for the curious
+  const rehearsal = mountRehearsal(app, view, {
+    help, shown: follow, name: fileName,
+    why: () => (programsIn(lines()).length ? "" : "A program begins with .PROGRAM and its name."),
+  });
+  host.after(rehearsal.element, rehearsal.beside);
+  Object.assign(window, { editing: { view, help, rehearsal } }); // for tests and for the curious
 
   // --- the text -------------------------------------------------------------------------------
 
@@ -99,11 +107,13 @@ export function openWorkbench({ store, command, act, toasts }, panel) {
     name.value = as.name;
     shelf.value = as.shelf;
     view.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: words }, selection: { anchor: 0 } });
+    rehearsal.forget();
     told();
   }
 
   /** @param {any} update */
   function changed(update) {
+    rehearsal?.changed(update);
     if (!update.docChanged) return;
     help.change();
     told();
@@ -113,6 +123,11 @@ export function openWorkbench({ store, command, act, toasts }, panel) {
   /** Have the browser keep what is in the editor, for each room where it would be looked for. */
   function remember() {
     for (const one of along) keepDraft(one, { text: text(), saved, opened });
+  }
+
+  /** Return the name of the text as a file. */
+  function fileName() {
+    return `${(opened.name || programsIn(lines())[0]?.name || "main").replace(/[^\w.-]/g, "_").slice(0, 60)}.v2`;
   }
 
   async function layOut() {
@@ -267,8 +282,7 @@ export function openWorkbench({ store, command, act, toasts }, panel) {
     const words = text();
     const found = programsIn(words.split("\n"));
     try {
-      const file = `${(opened.name || found[0].name).replace(/[^\w.-]/g, "_").slice(0, 60)}.v2`;
-      const done = await command({ type: "upload", name: file, text: words });
+      const done = await command({ type: "upload", name: fileName(), text: words });
       const loaded = found.map((one) => one.name.toUpperCase());
       const main = store.now.programs.find((one) => one.main && loaded.includes(one.name.toUpperCase()))?.name ?? found[0].name;
       const wrong = remarks(done.text);
@@ -304,7 +318,7 @@ export function openWorkbench({ store, command, act, toasts }, panel) {
   function follow() {
     const { status, programs } = store.now;
     const program = programs.find((one) => one.name === status?.program);
-    const line = status && program && status.mode !== "idle" ? lineOf(lines(), program, status.step) : 0;
+    const line = status && program && status.mode !== "idle" && !rehearsal.shown ? lineOf(lines(), program, status.step) : 0;
     if (line !== lit) light(view, line);
     lit = line;
   }

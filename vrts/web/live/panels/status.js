@@ -2,7 +2,7 @@
 
 import { RUNNING, STOPPING } from "../frame.js";
 import { byId, figure, make, write } from "../dom.js";
-import { lookedAt, onThen } from "../looking.js";
+import { isLive, onThen } from "../looking.js";
 
 const DEG = 180 / Math.PI;
 const SECOND = 1000; // [ms]
@@ -23,7 +23,7 @@ export function mountStatus({ store, world }) {
   }));
   const set = (/** @type {string} */ name, /** @type {string} */ text) => write(/** @type {HTMLElement} */ (cells.get(name)), text);
 
-  store.on(["status", "alive"], ({ status }) => lookedAt() === null && status && show(status));
+  store.on(["status", "alive"], ({ status }) => isLive() && status && show(status));
   onThen((then) => {
     const { status } = store.now;
     if (status) show(then ? { ...status, ...then, mark: null } : status);

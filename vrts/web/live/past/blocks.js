@@ -22,7 +22,7 @@ const PAUSE = 2_000; // after a question that failed [ms]
  * @property {Record<string, import("../../viewer/replay.js").PlacementData[]>} placements
  * @property {{start: number, X: number[]}[]} tools in force, in the flange frame
  * @property {{start: number, X: number[]}[]} bases how BASE says that the robot is displaced
- * @property {{program: string, line: number, text: string}[]} steps
+ * @property {{program: string, line: number, text: string, at?: number}[]} steps `at`: line of the text that is rehearsed
  * @property {[number, number, boolean][]} lines from when [s], which step (-1: none), whether a program runs
  * @property {[number, number][]} outputs from when [s], bits
  * @property {Mark[]} marks

@@ -1,0 +1,71 @@
+// What stands beside the present line: variables, what was typed, what happens, and lost points.
+
+import { figure, make, prose, write } from "../dom.js";
+import { altered, seconds } from "./phase.js";
+
+const MOST_ROWS = 200; // of what happens
+
+/** @typedef {import("./phase.js").Place} Place */
+/** @typedef {import("./phase.js").Ready} Ready */
+
+/** The tables under the editor. */
+export class Beside {
+  /** @param {(time_s: number) => void} seek */
+  constructor(seek) {
+    this.seek = seek;
+    this.variables = make("tbody");
+    this.none = make("p", { class: "soft", text: "None yet." });
+    this.typed = make("pre", { tabindex: "0", role: "region", "aria-label": "What was typed until here" });
+    this.events = make("ul", { class: "rehearsal-events" });
+    this.marked = make("h3");
+    this.lost = make("tbody");
+    this.markPart = part(this.marked, scrolled("Points lost in the rehearsal", make("table", { class: "lost-list" }, this.lost)));
+    this.element = make("div", { class: "rehearsal-beside", id: "rehearsal-beside", hidden: true },
+      part(make("h3", { text: "Variables" }), scrolled("Variables here", make("table", { class: "rehearsal-variables" }, this.variables), this.none)),
+      part(make("h3", { text: "Typed" }), this.typed),
+      part(make("h3", { text: "What happens" }), scrolled("What happens in the rehearsal", this.events)),
+      this.markPart);
+    /** @type {Place | null} */
+    this.place = null;
+  }
+
+  /** Show a run. @param {Ready} ready @param {(line: number) => number} lineNow where a line of that text is now */
+  begin({ begin_s: begin = 0, marks, mark, note }, lineNow) {
+    this.place = null;
+    const rows = [...marks].sort((a, b) => a.time_s - b.time_s).slice(0, MOST_ROWS).map(({ time_s, kind, text, line }) => {
+      const now = lineNow(line);
+      const at = `${seconds(time_s - begin)}${now ? `, line ${now}` : ""}`;
+      return make("li", {}, make("button", { type: "button", class: `is-${kind}`, click: () => this.seek(time_s) }, make("small", { text: at }), " ", text));
+    });
+    if (note) rows.unshift(make("li", { class: "soft", text: note }));
+    this.events.replaceChildren(...(rows.length ? rows : [make("li", { class: "soft", text: "Nothing." })]));
+    this.markPart.hidden = !mark;
+    if (!mark) return;
+    write(this.marked, `Mark ${figure(mark.mark, 1)} of ${figure(mark.total, 1).replace(/\.0$/, "")}`);
+    this.lost.replaceChildren(...(mark.lost.length ? mark.lost.map(({ points, kind, text, at_s: at }) => make("tr", { class: kind },
+      make("td", { class: "points", text: points }), make("td", { class: "why" }, ...prose(text)),
+      make("td", { class: "when" }, ...(at === null ? [] : [make("button", { type: "button", text: seconds(at - begin), "aria-label": `Show second ${figure(at - begin, 1)}`, click: () => this.seek(at) })]))))
+      : [make("tr", {}, make("td", { class: "soft", text: "No points are lost." }))]));
+  }
+
+  /** Show what is so at a place. @param {Place} place */
+  show(place) {
+    const fresh = altered(this.place, place);
+    this.place = place;
+    this.none.hidden = place.variables.length > 0;
+    this.variables.replaceChildren(...place.variables.map(({ name, value }) => make("tr", { class: fresh.has(name) ? "altered" : "" },
+      make("th", { scope: "row", text: name }), make("td", { text: value }))));
+    write(this.typed, place.typed.join("\n"));
+    this.typed.scrollTop = this.typed.scrollHeight;
+  }
+}
+
+/** @param {HTMLElement} head @param {HTMLElement} content */
+function part(head, content) {
+  return make("section", {}, head, content);
+}
+
+/** Return a box that scrolls, by keys too. @param {string} label @param {HTMLElement[]} content */
+function scrolled(label, ...content) {
+  return make("div", { class: "rehearsal-box", tabindex: "0", role: "region", "aria-label": label }, ...content);
+}
