@@ -30,14 +30,16 @@ export class Beside {
   }
 
   /** Show a run. @param {Ready} ready @param {(line: number) => number} lineNow where a line of that text is now */
-  begin({ begin_s: begin = 0, marks, mark, note }, lineNow) {
+  begin({ begin_s: begin = 0, marks, mark, note, undetermined, problems }, lineNow) {
     this.place = null;
     const rows = [...marks].sort((a, b) => a.time_s - b.time_s).slice(0, MOST_ROWS).map(({ time_s, kind, text, line }) => {
       const now = lineNow(line);
       const at = `${seconds(time_s - begin)}${now ? `, line ${now}` : ""}`;
       return make("li", {}, make("button", { type: "button", class: `is-${kind}`, click: () => this.seek(time_s) }, make("small", { text: at }), " ", text));
     });
-    if (note) rows.unshift(make("li", { class: "soft", text: note }));
+    rows.unshift(...[note, undetermined ? "Of some pairs of bodies nothing could be proven." : ""].filter(Boolean).map((text) => make("li", { class: "soft", text })));
+    rows.push(...problems.map(({ line, severity, message, help }) => make("li", { class: `rehearsal-problem is-${severity}` },
+      make("small", { text: `${severity}, line ${lineNow(line)}` }), " ", ...prose(help ? `${message}. ${help}` : message))));
     this.events.replaceChildren(...(rows.length ? rows : [make("li", { class: "soft", text: "Nothing." })]));
     this.markPart.hidden = !mark;
     if (!mark) return;
@@ -54,7 +56,7 @@ export class Beside {
     this.place = place;
     this.none.hidden = place.variables.length > 0;
     this.variables.replaceChildren(...place.variables.map(({ name, value }) => make("tr", { class: fresh.has(name) ? "altered" : "" },
-      make("th", { scope: "row", text: name }), make("td", { text: value }))));
+      make("th", { scope: "row", text: name }), make("td", { text: value }))), ...(place.more ? [make("tr", {}, make("th", { scope: "row", text: `and ${place.more} more` }))] : []));
     write(this.typed, place.typed.join("\n"));
     this.typed.scrollTop = this.typed.scrollHeight;
   }

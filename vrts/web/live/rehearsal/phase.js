@@ -13,6 +13,8 @@
  * @property {Moment[]} marks
  * @property {import("../protocol.js").Contact[]} contacts
  * @property {import("../protocol.js").Contact[]} near
+ * @property {boolean} undetermined of some pairs of bodies nothing could be proven
+ * @property {(Problem & {severity: string})[]} problems warnings, and what went wrong
  * @property {string} note what else has to be said; empty: nothing
  * @property {Mark | null} mark by the public checks; null: the room has no task
  * @property {{why: string, line: number, time_s: number, text: string}} ended
@@ -22,8 +24,10 @@
  * @property {string} program
  * @property {number} line of the text that is rehearsed; 0: not in it
  * @property {number} depth
- * @property {string} [step_text]
+ * @property {string} step_text
+ * @property {string} text why it stands there, where there is more to say
  * @property {{name: string, value: string}[]} variables
+ * @property {number} more variables that are not told
  * @property {string[]} typed
  */
 
@@ -78,9 +82,8 @@ export function whyNot(phase, step) {
   if (phase.kind === "begun") return "The rehearsal is being worked out.";
   if (phase.kind !== "there" || !phase.ready) return "Rehearse first.";
   if (phase.asked) return "The step before is under way.";
-  const { begin_s: begin = 0, duration_s: length } = phase.ready;
   const why = phase.place?.why;
-  if (FORWARD.includes(step) && (why === "end" || why === "error") && Number(phase.place?.time_s) >= begin + length - 1e-9) return "The rehearsal ends here.";
+  if (FORWARD.includes(step) && (why === "end" || why === "error")) return "The rehearsal ends here.";
   if (!FORWARD.includes(step) && why === "start") return "The rehearsal begins here.";
   return "";
 }
@@ -96,7 +99,7 @@ export function words(phase, line, text) {
   const { place } = phase;
   const at = line ? `line ${line}: ${text.trim()}` : [place.program, place.step_text].filter(Boolean).join(": ");
   const why = { breakpoint: "Breakpoint", step: "Step", end: "End", start: "Start", error: "Error", time: `At ${seconds(place.time_s - (phase.ready?.begin_s ?? 0))}` }[place.why];
-  return `${at ? `${why}, ${at}` : why}${phase.earlier ? " (of an earlier text)" : ""}`;
+  return `${at ? `${why}, ${at}` : why}${place.why === "error" && place.text ? `: ${place.text}` : ""}${phase.earlier ? " (of an earlier text)" : ""}`;
 }
 
 /** Return which variables have another value than before. @param {Place | null} before @param {Place} now @returns {Set<string>} */

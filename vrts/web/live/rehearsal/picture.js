@@ -31,6 +31,8 @@ export class Picture {
     this.before = 0; // the page's clock at the last picture [ms]
     /** @type {ReturnType<import("../past/blocks.js").Block["at"]> | null} */
     this.seen = null;
+    /** @type {{time_s: number, program: string, line: number, text: string} | null} where it stands */
+    this.place = null;
     /** @type {import("../protocol.js").Contact[]} */
     this.contacts = [];
     /** @type {import("../protocol.js").Contact[]} */
@@ -51,7 +53,7 @@ export class Picture {
   /** Another rehearsal: nothing of the one before counts. @param {Range} range @param {import("./phase.js").Ready} ready */
   begin(range, { contacts, near }) {
     this.blocks.forget();
-    Object.assign(this, { range, contacts, near, way: null, seen: null, t: range.begin });
+    Object.assign(this, { range, contacts, near, way: null, seen: null, place: null, t: range.begin });
   }
 
   /** Show the rehearsal instead of the room. @returns {Promise<boolean>} whether it can be shown */
@@ -145,9 +147,10 @@ export class Picture {
 
   /** Return what is then as a status shows it. @param {NonNullable<Picture["seen"]>} one @returns {import("../looking.js").Then} */
   then({ state, step, running, moving, X_VT }) {
+    const stands = this.place && Math.abs(this.place.time_s - this.t) < 1e-6 ? this.place : null;
+    const { program, line, text } = stands ?? { program: step?.program ?? "", line: step?.at ?? 0, text: step?.text ?? "" };
     return {
-      location: components(X_VT), mode: running ? "running" : moving ? "moving" : "idle", program: step?.program ?? "", line: step?.line ?? 0,
-      text: step?.text ?? "", held: state.held[0] ?? "", contacts: this.contacts.filter(({ start }) => start <= state.t).length,
+      location: components(X_VT), mode: running ? "running" : moving ? "moving" : "idle", program, line, text, held: state.held[0] ?? "", contacts: this.contacts.filter(({ start }) => start <= state.t).length,
     };
   }
 }

@@ -51,6 +51,11 @@ export function mountRehearsal({ store, world, toasts }, view, bench) {
     return earlier?.toNow(line, view.state.doc) ?? 0;
   }
 
+  /** @param {number} line of the text that is rehearsed */
+  function textThen(line) {
+    return earlier && line > 0 && line <= earlier.doc.lines ? earlier.doc.line(line).text.trim() : "";
+  }
+
   function linesThen() {
     const lines = breakpointLines(view).map((line) => earlier?.toThen(line, view.state.doc) ?? line);
     return [...new Set(lines)];
@@ -135,6 +140,7 @@ export function mountRehearsal({ store, world, toasts }, view, bench) {
   async function stopped(place, step) {
     become({ type: "placed", place, step });
     beside.show(place);
+    picture.place = { time_s: place.time_s, program: place.program, line: place.line, text: textThen(place.line) || place.step_text || "" };
     if (!picture.playing) showHere(view, lineNow(place.line));
     if (step && await shown()) picture.glide(place.time_s);
     show();
