@@ -18,7 +18,7 @@ READY = {
     "near": [],
     "mark": None,
     "note": "",
-    "ended": {"why": "completed", "line": 9, "time_s": 162.5, "text": ""},
+    "ended": {"why": "completed", "line": 9, "time_s": 162.5, "text": "program over"},
 }
 LATE = {"why": "end", "time_s": 162.5, "program": "main", "line": 9, "depth": 1}
 PLACE = {**LATE, "step_text": "", "text": "", "more": 0, "variables": [{"name": "i", "value": "2"}, {"name": "j", "value": "1"}]}
@@ -82,9 +82,9 @@ def test_what_may_be_asked_follows_from_where_the_rehearsal_stands() -> None:
     assert said["look_meanwhile"], "a look at a moment ends no step"
     assert said["words"] == [
         "Start, line 1: MOVE a",
-        "End, line 3: MOVE b (of an earlier text)",
+        "End: program over (of an earlier text)",
         "At 1:05.0 min, main",
-        "End, line 3: MOVE b",
+        "End: program over",
     ]
     over = said["over"]
     assert (over["kind"], over["why"], over["ready"]) == ("ended", "It ran too long.", None)

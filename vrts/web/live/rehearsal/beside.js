@@ -18,8 +18,8 @@ export class Beside {
     this.typed = make("pre", { tabindex: "0", role: "region", "aria-label": "What was typed until here" });
     this.events = make("ul", { class: "rehearsal-events" });
     this.marked = make("h3");
-    this.lost = make("tbody");
-    this.markPart = part(this.marked, scrolled("Points lost in the rehearsal", make("table", { class: "lost-list" }, this.lost)));
+    this.lost = make("ul", { class: "rehearsal-events" });
+    this.markPart = part(this.marked, scrolled("Points lost in the rehearsal", this.lost));
     this.element = make("div", { class: "rehearsal-beside", id: "rehearsal-beside", hidden: true },
       part(make("h3", { text: "Variables" }), scrolled("Variables here", make("table", { class: "rehearsal-variables" }, this.variables), this.none)),
       part(make("h3", { text: "Typed" }), this.typed),
@@ -44,10 +44,11 @@ export class Beside {
     this.markPart.hidden = !mark;
     if (!mark) return;
     write(this.marked, `Mark ${figure(mark.mark, 1)} of ${figure(mark.total, 1).replace(/\.0$/, "")}`);
-    this.lost.replaceChildren(...(mark.lost.length ? mark.lost.map(({ points, kind, text, at_s: at }) => make("tr", { class: kind },
-      make("td", { class: "points", text: points }), make("td", { class: "why" }, ...prose(text)),
-      make("td", { class: "when" }, ...(at === null ? [] : [make("button", { type: "button", text: seconds(at - begin), "aria-label": `Show second ${figure(at - begin, 1)}`, click: () => this.seek(at) })]))))
-      : [make("tr", {}, make("td", { class: "soft", text: "No points are lost." }))]));
+    const lost = mark.lost.map(({ points, text, at_s: at }) => {
+      const words = [make("b", { class: "points", text: points }), " ", ...prose(text)];
+      return make("li", {}, at === null ? make("span", {}, ...words) : make("button", { type: "button", click: () => this.seek(at) }, ...words));
+    });
+    this.lost.replaceChildren(...(lost.length ? lost : [make("li", { class: "soft", text: "No points are lost." })]));
   }
 
   /** Show what is so at a place. @param {Place} place */

@@ -97,6 +97,7 @@ export function words(phase, line, text) {
   if (phase.kind === "begun") return "Being worked out …";
   if (phase.kind !== "there" || !phase.place) return phase.why;
   const { place } = phase;
+  if (place.why === "end" && phase.ready) return `End: ${phase.ready.ended.text}${phase.earlier ? " (of an earlier text)" : ""}`;
   const at = line ? `line ${line}: ${text.trim()}` : [place.program, place.step_text].filter(Boolean).join(": ");
   const why = { breakpoint: "Breakpoint", step: "Step", end: "End", start: "Start", error: "Error", time: `At ${seconds(place.time_s - (phase.ready?.begin_s ?? 0))}` }[place.why];
   return `${at ? `${why}, ${at}` : why}${place.why === "error" && place.text ? `: ${place.text}` : ""}${phase.earlier ? " (of an earlier text)" : ""}`;

@@ -31,7 +31,7 @@ export class Picture {
     this.before = 0; // the page's clock at the last picture [ms]
     /** @type {ReturnType<import("../past/blocks.js").Block["at"]> | null} */
     this.seen = null;
-    /** @type {{time_s: number, program: string, line: number, text: string} | null} where it stands */
+    /** @type {{time_s: number, program: string, line: number, text: string, over: boolean} | null} where it stands */
     this.place = null;
     /** @type {import("../protocol.js").Contact[]} */
     this.contacts = [];
@@ -44,6 +44,11 @@ export class Picture {
       make("button", { type: "button", class: "main", id: "rehearsal-leave", text: "Back to live", title: "Alt+L", click: backToLive }));
     this.said = make("span", { class: "unseen", role: "status" });
     byId("view").append(this.sign, this.said);
+  }
+
+  /** Where it stands, if that is what the picture shows. */
+  get stands() {
+    return this.place && Math.abs(this.place.time_s - this.t) < 1e-6 ? this.place : null;
   }
 
   get playing() {
@@ -142,15 +147,14 @@ export class Picture {
     }
     const { seen } = this;
     if (!seen) return null;
-    return { state: { ...seen.state, t: this.t }, outputs: seen.outputs, flags: (seen.running ? RUNNING : 0) | (seen.moving ? MOVING : 0) };
+    return { state: { ...seen.state, t: this.t }, outputs: seen.outputs, flags: (seen.running && !this.stands?.over ? RUNNING : 0) | (seen.moving ? MOVING : 0) };
   }
 
   /** Return what is then as a status shows it. @param {NonNullable<Picture["seen"]>} one @returns {import("../looking.js").Then} */
   then({ state, step, running, moving, X_VT }) {
-    const stands = this.place && Math.abs(this.place.time_s - this.t) < 1e-6 ? this.place : null;
-    const { program, line, text } = stands ?? { program: step?.program ?? "", line: step?.at ?? 0, text: step?.text ?? "" };
+    const { program, line, text } = this.stands ?? { program: step?.program ?? "", line: step?.at ?? 0, text: step?.text ?? "" };
     return {
-      location: components(X_VT), mode: running ? "running" : moving ? "moving" : "idle", program, line, text, held: state.held[0] ?? "", contacts: this.contacts.filter(({ start }) => start <= state.t).length,
+      location: components(X_VT), mode: running && !this.stands?.over ? "running" : moving ? "moving" : "idle", program, line, text, held: state.held[0] ?? "", contacts: this.contacts.filter(({ start }) => start <= state.t).length,
     };
   }
 }

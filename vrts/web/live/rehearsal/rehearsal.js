@@ -68,7 +68,8 @@ export function mountRehearsal({ store, world, toasts }, view, bench) {
     const text = view.state.doc.toString();
     const why = !room ? "There is no room." : !alive ? "The room has no session now." : text.length > LONGEST_PROGRAM ? "It is too long for a program." : bench.why();
     if (why) {
-      toasts.warn(why);
+      link.stop();
+      end(why);
       return;
     }
     if (phase.shown) backToLive();
@@ -140,7 +141,7 @@ export function mountRehearsal({ store, world, toasts }, view, bench) {
   async function stopped(place, step) {
     become({ type: "placed", place, step });
     beside.show(place);
-    picture.place = { time_s: place.time_s, program: place.program, line: place.line, text: textThen(place.line) || place.step_text || "" };
+    picture.place = { time_s: place.time_s, program: place.program, line: place.line, text: textThen(place.line) || place.step_text, over: place.why === "end" || place.why === "error" };
     if (!picture.playing) showHere(view, lineNow(place.line));
     if (step && await shown()) picture.glide(place.time_s);
     show();
