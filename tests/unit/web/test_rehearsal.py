@@ -21,7 +21,13 @@ READY = {
     "ended": {"why": "completed", "line": 9, "time_s": 162.5, "text": "program over"},
 }
 LATE = {"why": "end", "time_s": 162.5, "program": "main", "line": 9, "depth": 1}
-PLACE = {**LATE, "step_text": "", "text": "", "more": 0, "variables": [{"name": "i", "value": "2"}, {"name": "j", "value": "1"}]}
+PLACE = {
+    **LATE,
+    "step_text": "",
+    "text": "",
+    "more": 0,
+    "variables": [{"name": "i", "value": "2"}, {"name": "j", "value": "1"}],
+}
 EARLY = {**PLACE, "why": "start", "time_s": 100.0, "variables": [{"name": "i", "value": "1"}]}
 BODY = """
 const { ready, late, early } = given;

@@ -41,20 +41,23 @@ export class Bar {
     this.from = choice(FROM, { "aria-label": "Where the rehearsal begins", title: "Where the rehearsal begins" });
     this.end = button("Stop", wishes.stop, { id: "rehearsal-stop", title: "End the rehearsal" });
     this.steps = new Map(STEPS.map(([step, text, key, path]) => [step, icon(text, key, path, () => wishes.go(step))]));
-    this.state = make("p", { class: "rehearsal-state", id: "rehearsal-state", role: "status" });
+    this.state = make("p", { class: "rehearsal-state", id: "rehearsal-state" });
+    this.said = make("span", { class: "unseen", role: "status" });
     this.element = make("div", { class: "rehearsal", role: "group", "aria-label": "Rehearsal" },
       make("div", { class: "row" }, this.begin, this.from, make("span", { class: "rehearsal-steps", role: "toolbar", "aria-label": "Steps of the rehearsal" }, ...this.steps.values()), this.end),
-      this.state);
+      this.state, this.said);
   }
 
   /**
    * Show what may be pressed: a button that may not keeps the focus, and says why when it is pressed.
-   * @param {(step: Step) => string} whyNot @param {boolean} goes whether there is a rehearsal to be ended @param {string} words where it stands
+   * @param {(step: Step) => string} whyNot @param {boolean} goes whether there is a rehearsal to be ended
+   * @param {string} words where it stands @param {boolean} said whether they are read out: not while time passes
    */
-  show(whyNot, goes, words) {
+  show(whyNot, goes, words, said) {
     for (const [step, element] of this.steps) element.setAttribute("aria-disabled", String(whyNot(step) !== ""));
     this.end.setAttribute("aria-disabled", String(!goes));
     write(this.state, words);
+    if (said) write(this.said, words);
     this.state.title = words;
   }
 }

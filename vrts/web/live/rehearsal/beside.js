@@ -17,13 +17,13 @@ export class Beside {
     this.none = make("p", { class: "soft", text: "None yet." });
     this.typed = make("pre", { tabindex: "0", role: "region", "aria-label": "What was typed until here" });
     this.events = make("ul", { class: "rehearsal-events" });
-    this.marked = make("h3");
+    this.marked = make("h2");
     this.lost = make("ul", { class: "rehearsal-events" });
     this.markPart = part(this.marked, scrolled("Points lost in the rehearsal", this.lost));
     this.element = make("div", { class: "rehearsal-beside", id: "rehearsal-beside", hidden: true },
-      part(make("h3", { text: "Variables" }), scrolled("Variables here", make("table", { class: "rehearsal-variables" }, this.variables), this.none)),
-      part(make("h3", { text: "Typed" }), this.typed),
-      part(make("h3", { text: "What happens" }), scrolled("What happens in the rehearsal", this.events)),
+      part(make("h2", { text: "Variables" }), scrolled("Variables here", make("table", { class: "rehearsal-variables" }, this.variables), this.none)),
+      part(make("h2", { text: "Typed" }), this.typed),
+      part(make("h2", { text: "What happens" }), scrolled("What happens in the rehearsal", this.events)),
       this.markPart);
     /** @type {Place | null} */
     this.place = null;

@@ -9,6 +9,7 @@ import { RehearsedBlocks } from "./link.js";
 
 const LONGEST_GLIDE = 1.2; // of a step, however long it takes [s]
 const AHEAD = 10; // of what is played the next block is fetched so early [s]
+const ROUNDED = 0.0005; // by which times of contacts are off [s]
 const STILL = window.matchMedia("(prefers-reduced-motion: reduce)");
 
 /** @typedef {{begin: number, end: number}} Range [s] */
@@ -58,7 +59,8 @@ export class Picture {
   /** Another rehearsal: nothing of the one before counts. @param {Range} range @param {import("./phase.js").Ready} ready */
   begin(range, { contacts, near }) {
     this.blocks.forget();
-    Object.assign(this, { range, contacts, near, way: null, seen: null, place: null, t: range.begin });
+    const wider = (/** @type {import("../protocol.js").Contact} */ one) => ({ ...one, start: one.start - ROUNDED, end: one.end + ROUNDED });
+    Object.assign(this, { range, contacts: contacts.map(wider), near: near.map(wider), way: null, seen: null, place: null, t: range.begin });
   }
 
   /** Show the rehearsal instead of the room. @returns {Promise<boolean>} whether it can be shown */

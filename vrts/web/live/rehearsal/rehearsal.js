@@ -13,6 +13,8 @@ import { NONE, next, whyNot, words } from "./phase.js";
 import { Picture } from "./picture.js";
 import { Track } from "./track.js";
 
+const SAME = 1e-3; // moments nearer than this are one [s]
+
 /**
  * @param {import("../pages/room.js").App} app
  * @param {import("@codemirror/view").EditorView} view
@@ -41,7 +43,7 @@ export function mountRehearsal({ store, world, toasts }, view, bench) {
     const line = lineNow(phase.place?.line ?? 0);
     const stands = words(phase, line, line ? view.state.doc.line(line).text : "");
     const away = phase.kind === "there" && !phase.shown && phase.place ? `${stands}. The picture shows the room: any step shows the rehearsal again.` : stands;
-    bar.show((step) => whyNot(phase, step), phase.kind === "begun" || phase.kind === "there", away);
+    bar.show((step) => whyNot(phase, step), phase.kind === "begun" || phase.kind === "there", away, phase.place?.why !== "time");
     beside.element.hidden = phase.kind !== "there";
     track.show(picture.t, picture.playing, line ? `line ${line}` : "");
   }
@@ -139,9 +141,12 @@ export function mountRehearsal({ store, world, toasts }, view, bench) {
 
   /** @param {import("./phase.js").Place} place @param {boolean} step whether somebody went there by a step */
   async function stopped(place, step) {
+    const { t, seen } = picture;
+    const works = place.why === "time" && Math.abs(t - place.time_s) < SAME ? seen?.step : null;
+    if (works?.at) place = { ...place, line: works.at, program: works.program, step_text: works.text }; // what the arm does, not what comes next
     become({ type: "placed", place, step });
     beside.show(place);
-    picture.place = { time_s: place.time_s, program: place.program, line: place.line, text: textThen(place.line) || place.step_text, over: place.why === "end" || place.why === "error" };
+    picture.place = { time_s: place.time_s, program: place.program, line: place.line, text: textThen(place.line) || place.step_text, over: ["end", "error"].includes(place.why) || !place.program };
     if (!picture.playing) showHere(view, lineNow(place.line));
     if (step && await shown()) picture.glide(place.time_s);
     show();
