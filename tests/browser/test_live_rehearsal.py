@@ -1,4 +1,4 @@
-"""A rehearsal in a real browser: breakpoints, steps both ways, a collision, and nothing moves in the room."""
+"""A rehearsal in a real browser: breakpoints, steps both ways, a collision; the room stays."""
 
 from collections.abc import Iterator
 from pathlib import Path

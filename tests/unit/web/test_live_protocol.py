@@ -107,7 +107,7 @@ def test_nothing_is_set_as_markup() -> None:
 
     folder = files("vrts.web").joinpath("live")
     texts = [e.read_text("utf-8") for e in folder.iterdir() if e.name.endswith(".js")]
-    for part in ("panels", "pages"):
+    for part in ("panels", "pages", "rehearsal"):
         texts += [e.read_text("utf-8") for e in folder.joinpath(part).iterdir()]
     assert len(texts) > 25
     unsafe = re.compile(

@@ -9,7 +9,7 @@ from typing import Any
 from tests.__main__ import WEB
 
 DENO = str(Path(sys.executable).parent / "deno")
-READY = {
+READY: dict[str, Any] = {
     "begin_s": 100.0,
     "duration_s": 62.5,
     "breakpoints": [],
