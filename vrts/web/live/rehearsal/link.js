@@ -116,7 +116,7 @@ export class Link {
       this.blocks.set(number, ({ data, message }) => {
         window.clearTimeout(late);
         if (data) resolve(data);
-        else reject(new Error(message ?? "this part of the rehearsal cannot be had"));
+        else reject(new Error(message ?? "this part of the rehearsal is missing"));
       });
       if (!this.send("block", { number })) this.blocks.get(number)?.({ type: "block", id: this.id, message: LOST });
     });
