@@ -7,6 +7,7 @@ of what vrts holds now; all laws then have other examples.
 """
 
 import json
+from functools import cache
 from pathlib import Path
 from typing import cast
 
@@ -22,14 +23,16 @@ PRODUCT = ROOT / "vrts"
 
 def fix() -> None:
     """Let Hypothesis draw from the list, and look at no module."""
+    providers._get_local_constants = _fixed  # pyright: ignore[reportPrivateUsage]
+
+
+@cache
+def _fixed() -> Constants:
+    """Return the list in an order of its own, when it is first asked for."""
     fixed = cast("Constants", vars(providers)["_local_constants"])
     for constant in read():
         fixed.add(constant)
-
-    def known() -> Constants:
-        return fixed
-
-    providers._get_local_constants = known  # pyright: ignore[reportPrivateUsage]
+    return fixed
 
 
 def read() -> Constants:

@@ -4,6 +4,7 @@ Most patches are noticed by one short test: to start Python and to load pytest a
 others would cost more than the test. The child loads what is of the tree from the tree.
 """
 
+import gc
 import multiprocessing
 import os
 import sys
@@ -16,6 +17,10 @@ import pytest
 
 from tests.says_all import SAYS_ALL
 
+PLUGINS = (  # of pytest itself, which it loads when it starts
+    *("faulthandler", "helpconfig", "pastebin", "setuponly", "setupplan", "skipping", "stepwise"),
+    *("threadexception", "tracemalloc", "unittest", "unraisableexception", "warnings"),
+)
 LIBRARIES = (
     *("pytest", "hypothesis", "hypothesis.strategies", "_hypothesis_pytestplugin", "xdist"),
     *("numpy", "pinocchio", "coal", "lark", "click", "trimesh"),
@@ -26,6 +31,9 @@ LIBRARIES = (
         "xdist.looponfail",
         "xml.etree.ElementTree",
     ),
+    *("pdb", "platformdirs.pytest_plugin", "platformdirs.unix", "readline", "tomllib"),
+    *("xdist.newhooks", "xdist.remote", "xdist.scheduler", "xdist.workermanage"),
+    *(f"_pytest.{name}" for name in PLUGINS),
 )
 OURS = ("tests", "vrts")
 QUIET = "ignore::pytest.PytestAssertRewriteWarning"  # of plugins that are loaded already
@@ -87,6 +95,7 @@ def run(tree: Path, words: Sequence[str], seconds: float, said: Path) -> Told:
 
 def _pytest(tree: str, words: list[str], said: str, answer: Connection) -> None:
     """Run pytest in this process, which is new, and send what became of it."""
+    gc.freeze()  # what is loaded is not gone through, and so not copied
     sys.dont_write_bytecode = False
     os.chdir(tree)
     os.environ["PYTHONPATH"] = tree
