@@ -27,7 +27,7 @@ from tests.says_all import SAYS_ALL
 
 BIN = Path(sys.executable).parent
 PYTHON = sys.executable
-WORKERS = str((os.cpu_count() or 1) + 1)  # some tests wait
+WORKERS = str((os.cpu_count() or 1) + 2)  # many tests wait
 
 WEB = ROOT / "vrts" / "web"
 MODULES = sorted(str(p) for p in WEB.rglob("*.js") if WEB / "vendor" not in p.parents)

@@ -16,7 +16,7 @@ from tests.places import ROOT
 from tests.sabotage.patches import PATCHES
 from tests.times import seconds
 
-LASTS_S = 60.0  # together, by what was measured; three at a time on two cores
+LASTS_S = 60.0  # together, by what was measured; four at a time on two cores
 DEAR_S = 10.0  # what lasts so long is put off as if one more file lay between
 USUAL_S = 0.3  # of a file that `seconds.txt` does not name
 SHOWS_ALL = {  # by examples, and quickly

@@ -36,7 +36,7 @@ from tests.sabotage.trees import (
 )
 
 FIRST = Path(__file__).with_name("first.json")
-AT_ONCE = (os.cpu_count() or 1) + 1  # some tests wait
+AT_ONCE = (os.cpu_count() or 1) + 2  # many tests wait
 
 
 class Verdict(NamedTuple):
