@@ -5,7 +5,7 @@ room who may command there saves, and who is in it reads.
 """
 
 from collections import OrderedDict
-from typing import Final, Literal, NamedTuple
+from typing import Final, Literal, NamedTuple, TypeVar
 
 from starlette.requests import Request
 from starlette.responses import Response
@@ -56,6 +56,9 @@ FULL_GUESTS: Final = (
     "the programs of all guests take all the space that there is",
     "download yours, and ask the supervisor to delete some",
 )
+
+
+Body = TypeVar("Body", KeepProgram, DropProgram)
 
 
 class _Place(NamedTuple):
@@ -119,13 +122,10 @@ class ProgramPages:
 
     async def keep(self, request: Request) -> Response:
         """Keep a text as the next version of a program."""
-        body = await read_body(request, KeepProgram, longest=LONGEST_BODY, what="program")
-        if isinstance(body, Response):
-            return body
-        place = await self._place(request, body.room, body.shelf, writes=True)
-        if isinstance(place, Response):
-            return place
-        account, shelf = place
+        given = await self._given(request, KeepProgram)
+        if isinstance(given, Response):
+            return given
+        body, (account, shelf) = given
         if body.shelf == "room" and not self._hub.rooms[body.room].lets_save(account):
             return refused(403, "role", *NO_CONTROL)
         version = Version(body.name, 0, wall(), account.id, account.name, 0)
@@ -148,17 +148,23 @@ class ProgramPages:
 
     async def drop(self, request: Request) -> Response:
         """Forget a program of one's own; those of rooms are for supervisors to forget."""
-        body = await read_body(request, DropProgram, longest=LONGEST_BODY, what="program")
-        if isinstance(body, Response):
-            return body
-        place = await self._place(request, body.room, body.shelf, writes=True)
-        if isinstance(place, Response):
-            return place
+        given = await self._given(request, DropProgram)
+        if isinstance(given, Response):
+            return given
+        body, place = given
         if body.shelf == "room" and not place.account.supervisor:
             words = "programs of the room are deleted by supervisors only"
             return refused(403, "role", words)
         await self._hub.database.do(lambda c: programs.remove(c, place.shelf, body.name))
         return Response(status_code=204)
+
+    async def _given(self, request: Request, kind: type[Body]) -> tuple[Body, _Place] | Response:
+        """Return what somebody wants written, and the shelf that is to be written to."""
+        body = await read_body(request, kind, longest=LONGEST_BODY, what="program")
+        if isinstance(body, Response):
+            return body
+        place = await self._place(request, body.room, body.shelf, writes=True)
+        return place if isinstance(place, Response) else (body, place)
 
     async def _asked(self, request: Request) -> _Place | Response:
         """Return the shelf that an address names."""

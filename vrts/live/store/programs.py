@@ -159,17 +159,6 @@ def purge_programs(connection: sqlite3.Connection, account: int) -> None:
     )
 
 
-def programs_of(connection: sqlite3.Connection, account: int) -> list[tuple[str, Version, str]]:
-    """Return shelf, version and text of all that a person has saved, for an export."""
-    rows = connection.execute(
-        "SELECT shelf, name, number, at, account, saver, coalesce(length(text), 0), text"
-        " FROM program_version WHERE account=?"
-        " ORDER BY shelf, name, number",
-        (account,),
-    )
-    return [(row[0], Version._make(row[1:-1]), row[-1]) for row in rows]
-
-
 def _made_room(connection: sqlite3.Connection, account: int, shelf: str, name: str) -> bool:
     """Drop what is oldest of what a person has saved, never the newest of a program.
 

@@ -3,7 +3,6 @@
 import math
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import NamedTuple
 
 from vrts.base.diagnostic import Severity
 from vrts.engine.futures.future import begin, command, decide, happened, tick
@@ -23,6 +22,7 @@ from vrts.ir.ranges import ANALOG_INPUTS, INPUTS
 from vrts.prove.asking import Asking, Told
 from vrts.prove.certify.memory import Memory
 from vrts.prove.environment.environment import Environment
+from vrts.prove.explore.counts import Counts
 from vrts.prove.explore.executed import Executed, watched
 from vrts.prove.explore.frontier import Frontier, Future
 from vrts.prove.explore.operator import Deed, Operator
@@ -42,15 +42,6 @@ from vrts.scene.model import Scene
 TELL = 1_000  # states between looks at whether it is enough
 LONGER, SOON = 2, 5_000  # something seems wrong: so many times as many states, and so many more
 CERTIFY_S = 60.0  # of new motion that is certified together
-
-
-class Counts(NamedTuple):
-    """What a search went through."""
-
-    states: int
-    decisions: int
-    merged: int
-    ends: int
 
 
 class Search:

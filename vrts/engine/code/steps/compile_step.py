@@ -13,7 +13,6 @@ from vrts.engine.code.closures import (
     CYCLE_ENDED,
     HALTED,
     PAUSED,
-    SWITCHED,
     Evaluate,
     Step,
     reached,
@@ -27,6 +26,7 @@ from vrts.engine.code.steps.motion_steps import MotionStepCompiler
 from vrts.engine.code.steps.reaction_steps import ReactionStepCompiler
 from vrts.engine.code.steps.setting_steps import SettingStepCompiler
 from vrts.engine.code.steps.signal_steps import SignalStepCompiler
+from vrts.engine.code.steps.switch_steps import switch_step
 from vrts.engine.code.steps.terminal_steps import TerminalStepCompiler, put
 from vrts.engine.code.values.arithmetic import checked_string, rounded
 from vrts.engine.code.values.compiler import Compiler
@@ -35,14 +35,12 @@ from vrts.engine.code.values.operands import parameter_cell
 from vrts.engine.code.values.real_expressions import truth
 from vrts.engine.code.values.static_types import static_type
 from vrts.engine.faults import RuntimeFault
-from vrts.engine.memory.events import Cause, SwitchChanged
+from vrts.engine.memory.events import Cause
 from vrts.engine.programs.context import Context
 from vrts.engine.programs.locks import Wish, refused
 from vrts.ir import instructions as ir
 from vrts.ir.expressions import Expression, Place
 from vrts.ir.runtime_errors import RuntimeErrorKind
-from vrts.ir.system import SWITCHES
-from vrts.ir.taken import TAKEN_SWITCHES
 from vrts.ir.values import Type, Value
 from vrts.robots.kinematics.kinematics import forward, solve
 
@@ -187,7 +185,7 @@ class StepCompiler:
             case ir.Type() | ir.Prompt() | ir.Pack() | ir.Decompose():
                 return self.texts.step(instruction, following, cause)
             case ir.Switch():
-                return _switch(instruction, following, cause)
+                return switch_step(instruction, following, cause)
             case ir.SetParameter():
                 return self._set_parameter(instruction, following, cause)
             case ir.Call() | ir.CallNamed() | ir.Return():
@@ -346,45 +344,6 @@ def refusal(headline: str, cause: Cause) -> Step:
         )
 
     return refuse
-
-
-def _switch(instruction: ir.Switch, following: int, cause: Cause) -> Step:
-    names, on = instruction.names, instruction.on
-
-    def switch(c: Context) -> int:
-        for name in names:
-            known = SWITCHES.get(name)
-            if name in TAKEN_SWITCHES:
-                c.system.switches[name] = on
-                continue
-            if known is None or known.read_only:
-                raise RuntimeFault(
-                    RuntimeErrorKind.INVALID_SWITCH,
-                    f"there is no switch `{name}`",
-                    cause.span,
-                    help=(f"switches are {', '.join(SWITCHES)}",),
-                )
-            if c.system.is_on(name) is not on and name in c.system.locks.names:
-                keeps = f"it stays {'off' if on else 'on'}"
-                refused(c, Wish(name, f"{'ENABLE' if on else 'DISABLE'} {name}", keeps), cause)
-                continue
-            if c.system.is_on(name) is not on:
-                c.events.append(SwitchChanged(c.now, name, on, cause))
-            c.system.switches[name] = on
-            if name == "POWER":
-                c.system.powered = on
-                if not on:
-                    c.planner.brake(c.now)
-                    c.hand.path_changed(c.now)
-                    c.look_again()
-            elif name == "TRACE":
-                c.system.tracing = on
-            elif name == "DRY.RUN" and not on:
-                c.planner.end_dry_run()
-        c.frames[-1].index = following
-        return SWITCHED  # TRACE acts from the next step on
-
-    return switch
 
 
 def _joints_of(c: Context, pose: Pose, span: Span | None) -> Value:
