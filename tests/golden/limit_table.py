@@ -9,11 +9,13 @@ from vrts.live.entrance import entries
 from vrts.live.front import browsers, help_socket, program_pages, socket
 from vrts.live.people import naming
 from vrts.live.protocol import fields
+from vrts.live.rehearsing import begun, offering, talk
 from vrts.live.rooms import control, opening, pulse, sessions
 from vrts.live.rooms.again import deaths
 from vrts.live.rooms.private import branching
 from vrts.live.session.channel import messages
 from vrts.live.store import accounts, programs, rooms
+from vrts.live.store.waiting import journal
 from vrts.live.watching import log_tail
 
 HEAD = "| what | how much | what happens then |\n|---|---|---|\n"
@@ -35,7 +37,11 @@ def _limits() -> Iterator[tuple[str, str, str]]:
         _rate(limits.BRANCHES),
         f"wait; an empty one ends after {branching.EMPTY_S / 60:.0f} minutes",
     )
-    yield "connections", f"{limits.ALL_CONNECTIONS}", "one of the busiest address ends"
+    yield (
+        "connections",
+        f"{limits.ALL_CONNECTIONS}",
+        "one of who takes most ends, or one more is refused",
+    )
     yield (
         "connections of a person",
         f"{limits.CONNECTIONS}",
@@ -44,7 +50,7 @@ def _limits() -> Iterator[tuple[str, str, str]]:
     yield (
         "places in a room",
         f"{limits.PLACES}",
-        "who is away for longest gives way, or one more is refused",
+        "who is away for longest gives way, then one of who takes most",
     )
     yield "guests", f"{accounts.GUESTS}", "who needs the place least loses it"
     yield "guests who never joined a room", f"{entries.UNUSED}", "the oldest go"
@@ -60,6 +66,18 @@ def _limits() -> Iterator[tuple[str, str, str]]:
         "it ends, and comes back with the next key",
     )
     yield "help that a person begins", _rate(seats.BEGUN), "the editor works without"
+    yield (
+        "rehearsals at once",
+        f"{offering.MOST}, one a person and room",
+        f"who was quiet for {offering.QUIET_S:.0f} s gives way; others wait a minute",
+    )
+    yield "rehearsals that a person begins", _rate(offering.BEGUN), "wait a minute"
+    yield "a rehearsal without a question", f"{talk.IDLE_S / 60:.0f} minutes", "it ends"
+    yield (
+        "computing of a rehearsal",
+        f"{begun.RUN_S:.0f} s to run, {begun.CHECK_S:.0f} s for contacts and mark",
+        "the page says so",
+    )
     yield "a program", f"{actions.LONGEST_PROGRAM:,} characters", "it is refused"
     yield "a text that the editor helps with", f"{asked.LONGEST:,} characters", "no help"
     yield (
@@ -95,6 +113,7 @@ def _limits() -> Iterator[tuple[str, str, str]]:
     yield "messages that make no sense", f"{socket.MOST_BAD}", "the connection ends"
     yield "lines of chat", _rate(limits.CHAT), "the rest is refused"
     yield "programs sent, saved or fetched", _rate(limits.PROGRAMS), "the rest is refused"
+    yield "requests for control", _rate(limits.TURNS), "the rest is refused"
     yield "looks at the past", _rate(limits.LOOKS), "the rest is refused"
     yield "questions of the pointer", _rate(limits.QUESTIONS), "the rest is refused"
     yield "without a command", f"{control.IDLE_S:.0f} s", "control goes to the next"
@@ -115,6 +134,16 @@ def _limits() -> Iterator[tuple[str, str, str]]:
         "log of a session",
         f"{settings.LOG_QUOTA / 1e6:.0f} MB",
         "only panic, until the scene is chosen again",
+    )
+    yield (
+        "records of who came, and of who had control",
+        f"{limits.RECORDS:,} a session",
+        "the log does not tell it any more",
+    )
+    yield (
+        "records that wait for a full disk",
+        f"{journal.MOST:,}; {journal.MOST_WAITING:,} of who came and had control",
+        "more are lost, and the room is told how many",
     )
     yield (
         "history older than ten minutes",

@@ -3,6 +3,7 @@
 import re
 import shutil
 import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -10,14 +11,20 @@ import pytest
 from tests.golden.limit_table import HEAD, limit_table
 from tests.golden.server_page import PAGE, fits, follow
 from tests.support_commands import vrts_text
+from tests.unit.live.store.test_migrations import contents, tables_of
 from vrts.live.entrance import guessing, log_ins
+from vrts.live.front import program_pages
 from vrts.live.limits import PLACES
+from vrts.live.logs import replay_page
+from vrts.live.settings import DATABASE
+from vrts.live.store.database import opened
 from vrts.live.tokens import LETTERS
 from vrts.live.watching.health import DYING, UNWRITTEN
 from vrts.live.watching.service import PLACE, STATE, USER
 
 TEXT = PAGE.read_text("utf-8")
 WORDS = " ".join(TEXT.split())
+VRTS = Path(sys.executable).with_name("vrts")
 SERVICE = re.compile(r"^\$ vrts (serve .* --service)$", re.M)
 
 
@@ -59,6 +66,27 @@ def test_the_page_says_who_gets_in_by_the_numbers_of_the_code() -> None:
         f"su -s /bin/bash {USER}",
     ):
         assert words in WORDS, words
+
+
+def test_the_line_for_cron_makes_a_backup(tmp_path: Path) -> None:
+    (line,) = re.findall(r"^[\d ]+\* \* \* vrts (\S+ .*)$", TEXT, re.M)
+    opened(tmp_path / DATABASE).close()
+    (tmp_path / "copies").mkdir()
+    command = line.replace(r"\%", "%").replace("/opt/vrts/.venv/bin/vrts", f"{VRTS}")
+    command = command.replace("/srv/vrts", f"{tmp_path}").replace(
+        "/var/backups/vrts", f"{tmp_path}/copies"
+    )
+    done = subprocess.run(["sh", "-c", command], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+    (copy,) = (tmp_path / "copies").iterdir()
+    assert contents(copy, tables_of(copy)) == contents(tmp_path / DATABASE, tables_of(copy))
+
+
+def test_nginx_lets_through_what_the_server_takes() -> None:
+    (size,) = re.findall(r"client_max_body_size (\d+)m;", TEXT)
+    assert int(size) * 1_000_000 > program_pages.LONGEST_BODY
+    (time_s,) = re.findall(r"proxy_read_timeout (\d+)s;", TEXT)
+    assert int(time_s) > replay_page.LONGEST_S
 
 
 @pytest.mark.skipif(shutil.which("systemd-analyze") is None, reason="needs systemd-analyze")

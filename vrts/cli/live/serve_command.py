@@ -133,7 +133,7 @@ def command(
     """Share sessions in the browser: a class works with one virtual robot together.
 
     SCENES are names or files of scenes, task files, or folders with a task. The supervisor chooses
-    from them. Students open the page and type the class code.
+    among them. Students open the page and type the class code.
 
     Somebody who was sent away cannot enter that room again until the supervisor allows it. A user
     is known by the account, a guest by browser and name. A class code lets in everybody who knows
@@ -141,26 +141,28 @@ def command(
     `--no-code`, accounts and join links.
 
     After a crash, start it with the same folder. Every room goes on where it was, with arm and
-    programs stopped: the server repeats exactly what the log says. If it cannot, for another scene
-    or a purged user, the room begins again and is told why. A session whose process dies goes on
-    in the same way. If it dies four times in a row, the supervisor chooses how to go on. A room
-    whose scene is not among SCENES keeps its log and waits until it is.
+    programs stopped: the server repeats exactly what the log says. If it cannot, because the scene
+    has changed or somebody was purged, the room begins again and says why. A session whose process
+    dies goes on in the same way. If it dies four times in a row, the supervisor chooses how to go
+    on. A room whose scene is not among SCENES keeps its log and waits until it is.
 
-    A session can be rewound to any moment and saved as a program. What is older than ten minutes
-    goes to a file. When the file reaches `--history-quota`, the oldest part is forgotten. The log
-    is never cut. When it reaches `--log-quota`, every command except panic is refused, until the
-    supervisor begins another session by choosing the scene again. The room is told of both.
+    You can rewind a session to any moment and save it as a program. What is older than ten minutes
+    goes to a file. When the file reaches `--history-quota`, the server forgets the oldest part. It
+    never cuts the log. When that reaches `--log-quota`, the server refuses every command except
+    panic, until the supervisor chooses the scene again, which begins another session. It tells the
+    room of both.
 
-    Everybody can look at any moment of a session's past, and go on from there in a room of their
-    own, of which each has one. It ends when nobody has been in it for five minutes, and its log
-    stays. `--private-rooms` says how many there may be; supervisors see and close them.
+    Everybody can look at any moment of a session's past, and go on from there in a private room.
+    Each person has one at most. It ends when nobody has been in it for five minutes, and its log
+    stays. `--private-rooms` says how many there may be. Supervisors can see and close them.
 
     It listens on this machine only, unless `--host` names another address. For https give
     `--tls-cert` and `--tls-key`, or put a proxy in front of it and start it with `--behind-proxy
     --name lab.example.org`. `vrts manual server` shows the lines that nginx and Caddy need.
 
     To leave it running, `--service` prints a unit for systemd with the same options. `/health`
-    tells whether it is well, and a supervisor with an account sees more at `/admin`.
+    tells whether it is well, and a supervisor with an account sees more at `/admin`. `vrts manual
+    server` shows all steps, from an empty machine to the end of a term.
     """
     if purge_mentions and not purge_user:
         fail("`--purge-mentions` goes with `--purge-user`")
