@@ -13,12 +13,12 @@ READY: dict[str, Any] = {
     "begin_s": 100.0,
     "duration_s": 62.5,
     "breakpoints": [],
-    "marks": [],
+    "marks": [{"time_s": 101.0, "kind": "contact", "text": "", "line": 2}],
     "contacts": [],
     "near": [],
     "mark": None,
     "note": "",
-    "ended": {"why": "completed", "line": 9, "time_s": 162.5, "text": "program over"},
+    "ended": {"why": "completed", "line": 9, "time_s": 162.5, "text": "`main` is over"},
 }
 LATE = {"why": "end", "time_s": 162.5, "program": "main", "line": 9, "depth": 1}
 PLACE = {
@@ -87,10 +87,10 @@ def test_what_may_be_asked_follows_from_where_the_rehearsal_stands() -> None:
     assert said["under_way"] == "The step before is under way."
     assert said["look_meanwhile"], "a look at a moment ends no step"
     assert said["words"] == [
-        "Start, line 1: MOVE a",
-        "End: program over (of an earlier text)",
+        "Start, line 1: MOVE a. 1:02.5 min, 1 contact; main is over",
+        "End: main is over (of an earlier text)",
         "At 1:05.0 min, main",
-        "End: program over",
+        "End: main is over",
     ]
     over = said["over"]
     assert (over["kind"], over["why"], over["ready"]) == ("ended", "It ran too long.", None)

@@ -34,11 +34,13 @@ export class Beside {
     this.place = null;
     const rows = [...marks].sort((a, b) => a.time_s - b.time_s).slice(0, MOST_ROWS).map(({ time_s, kind, text, line }) => {
       const now = lineNow(line);
+      const remedy = problems.find((one) => one.line === line && one.message === text)?.help;
       const at = `${seconds(time_s - begin)}${now ? `, line ${now}` : ""}`;
-      return make("li", {}, make("button", { type: "button", class: `is-${kind}`, click: () => this.seek(time_s) }, make("small", { text: at }), " ", text));
+      return make("li", {}, make("button", { type: "button", class: `is-${kind}`, click: () => this.seek(time_s) }, make("small", { text: at }), " ", ...prose(remedy ? `${text}. ${remedy}` : text)));
     });
     rows.unshift(...[note, undetermined ? "Of some pairs of bodies nothing could be proven." : ""].filter(Boolean).map((text) => make("li", { class: "soft", text })));
-    rows.push(...problems.map(({ line, severity, message, help }) => make("li", { class: `rehearsal-problem is-${severity}` },
+    const told = new Set(marks.map(({ text }) => text));
+    rows.push(...problems.filter(({ message }) => !told.has(message)).map(({ line, severity, message, help }) => make("li", { class: `rehearsal-problem is-${severity}` },
       make("small", { text: `${severity}, line ${lineNow(line)}` }), " ", ...prose(help ? `${message}. ${help}` : message))));
     this.events.replaceChildren(...(rows.length ? rows : [make("li", { class: "soft", text: "Nothing." })]));
     this.markPart.hidden = !mark;

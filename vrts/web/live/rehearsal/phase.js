@@ -97,10 +97,22 @@ export function words(phase, line, text) {
   if (phase.kind === "begun") return "Being worked out …";
   if (phase.kind !== "there" || !phase.place) return phase.why;
   const { place } = phase;
-  if (place.why === "end" && phase.ready) return `End: ${phase.ready.ended.text}${phase.earlier ? " (of an earlier text)" : ""}`;
+  if (place.why === "end" && phase.ready) return `End: ${bare(phase.ready.ended.text)}${phase.earlier ? " (of an earlier text)" : ""}`;
   const at = line ? `line ${line}: ${text.trim()}` : [place.program, place.step_text].filter(Boolean).join(": ");
   const why = { breakpoint: "Breakpoint", step: "Step", end: "End", start: "Start", error: "Error", time: `At ${seconds(place.time_s - (phase.ready?.begin_s ?? 0))}` }[place.why];
-  return `${at ? `${why}, ${at}` : why}${place.why === "error" && place.text ? `: ${place.text}` : ""}${phase.earlier ? " (of an earlier text)" : ""}`;
+  const more = place.why === "error" && place.text ? `: ${bare(place.text)}` : place.why === "start" && phase.ready ? `. ${outcome(phase.ready)}` : "";
+  return `${at ? `${why}, ${at}` : why}${more}${phase.earlier ? " (of an earlier text)" : ""}`;
+}
+
+/** Return what comes of a run, in words. @param {Ready} ready */
+export function outcome({ duration_s, marks, ended }) {
+  const contacts = marks.filter(({ kind }) => kind === "contact").length;
+  return `${seconds(duration_s)}, ${contacts === 1 ? "1 contact" : `${contacts || "no"} contacts`}; ${bare(ended.text)}`;
+}
+
+/** @param {string} text with names between backticks */
+function bare(text) {
+  return text.replaceAll("`", "");
 }
 
 /** Return which variables have another value than before. @param {Place | null} before @param {Place} now @returns {Set<string>} */

@@ -23,6 +23,7 @@ const SAME = 1e-3; // moments nearer than this are one [s]
  */
 export function mountRehearsal({ store, world, toasts }, view, bench) {
   let phase = NONE;
+  let plays = false; // as soon as it stands at the start
   let warned = false; // that the picture cannot show it
   let of = ""; // which room and scene it is of
   /** @type {Earlier | null} the text that is rehearsed */
@@ -116,7 +117,7 @@ export function mountRehearsal({ store, world, toasts }, view, bench) {
 
   /** @param {import("./link.js").Message} message */
   function take(message) {
-    if (message.type === "ready") void begin(/** @type {any} */ (message));
+    if (message.type === "ready") begin(/** @type {any} */ (message));
     else if (message.type === "stopped") void stopped(/** @type {any} */ (message), Boolean(message.step));
     else if (message.type === "breakpoints") idle(message.breakpoints);
     else if (message.type === "refused" && message.id === 0) toasts.warn(message.message);
@@ -125,7 +126,7 @@ export function mountRehearsal({ store, world, toasts }, view, bench) {
   }
 
   /** @param {import("./phase.js").Ready} ready */
-  async function begin(ready) {
+  function begin(ready) {
     const { begin_s: begin = 0, duration_s: length, marks } = ready;
     const range = { begin, end: begin + length };
     picture.begin(range, ready);
@@ -135,8 +136,7 @@ export function mountRehearsal({ store, world, toasts }, view, bench) {
     become({ type: "ready", ready });
     become({ type: "asked" });
     link.go(ready.breakpoints.length ? "run" : "start");
-    const still = window.matchMedia("(prefers-reduced-motion: reduce)").matches;
-    if (await shown() && !ready.breakpoints.length && !still) picture.toggle();
+    plays = !ready.breakpoints.length && !window.matchMedia("(prefers-reduced-motion: reduce)").matches;
   }
 
   /** @param {import("./phase.js").Place} place @param {boolean} step whether somebody went there by a step */
@@ -148,7 +148,11 @@ export function mountRehearsal({ store, world, toasts }, view, bench) {
     beside.show(place);
     picture.place = { time_s: place.time_s, program: place.program, line: place.line, text: textThen(place.line) || place.step_text, over: ["end", "error"].includes(place.why) || !place.program };
     if (!picture.playing) showHere(view, lineNow(place.line));
-    if (step && await shown()) picture.glide(place.time_s);
+    if (step && await shown() && phase.kind === "there") {
+      picture.glide(place.time_s);
+      if (plays) picture.toggle();
+      plays = false;
+    }
     show();
   }
 
