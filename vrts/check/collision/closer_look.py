@@ -21,7 +21,8 @@ from vrts.check.collision.pairs.findings import (
     leaves,
 )
 from vrts.check.collision.pairs.pair_rows import joined, narrowed
-from vrts.check.collision.pairs.pairs import Pairs, Plan
+from vrts.check.collision.pairs.pairs import Plan
+from vrts.check.collision.pairs.table import Pairs
 from vrts.check.collision.search.search import search
 from vrts.check.collision.telling.sought import Sought
 

@@ -18,12 +18,11 @@ from vrts.check.collision.pairs.pairs import (
     PADS,
     ROBOT,
     STRICT,
-    Pairs,
-    Table,
     add_meeting,
     links_against,
     self_pairs,
 )
+from vrts.check.collision.pairs.table import Pairs, Table
 from vrts.check.collision.search.search import BUDGET, search
 from vrts.check.curves.timeline_arrays import Curves, curves
 from vrts.engine.memory.records import Lie, Placement, Segment

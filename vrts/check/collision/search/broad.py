@@ -12,7 +12,7 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from vrts.check.collision.pairs.pairs import Pairs
+from vrts.check.collision.pairs.table import Pairs
 from vrts.geometry.boxes import Boxes, boxes, travels
 from vrts.geometry.solids import Instants, Motion, Solids
 

@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from vrts.check.collision.pairs.findings import HARDLY, REPORTED, Spans, Touch, spans
-from vrts.check.collision.pairs.pairs import Pairs
+from vrts.check.collision.pairs.table import Pairs
 
 Array: TypeAlias = npt.NDArray[np.float64]
 Flags: TypeAlias = npt.NDArray[np.bool_]

@@ -35,7 +35,7 @@ from vrts.check.collision.pairs.findings import (
     Touch,
 )
 from vrts.check.collision.pairs.outside import outside
-from vrts.check.collision.pairs.pairs import Pairs
+from vrts.check.collision.pairs.table import Pairs
 from vrts.check.collision.search.broad import gaps, sides_of
 from vrts.check.collision.search.known_events import KnownEvents, Times
 from vrts.check.collision.search.measures import PROBES, Measured, Measures, Open

@@ -12,7 +12,7 @@ import numpy.typing as npt
 
 from vrts.check.collision.pairs.arm_state import Prober
 from vrts.check.collision.pairs.asking import all_told
-from vrts.check.collision.pairs.pairs import Pairs
+from vrts.check.collision.pairs.table import Pairs
 from vrts.check.collision.telling.moments import ERROR
 from vrts.geometry.proving.rows import gaps
 

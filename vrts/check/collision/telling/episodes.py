@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from vrts.check.collision.pairs.findings import EVENT_GAP, Touch, merge
-from vrts.check.collision.pairs.pairs import Pairs
+from vrts.check.collision.pairs.table import Pairs
 
 
 class Episode(NamedTuple):

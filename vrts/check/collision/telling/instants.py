@@ -13,7 +13,7 @@ import numpy.typing as npt
 
 from vrts.check.collision.pairs.arm_state import Prober, instants
 from vrts.check.collision.pairs.findings import Leaves
-from vrts.check.collision.pairs.pairs import Pairs
+from vrts.check.collision.pairs.table import Pairs
 from vrts.engine.memory.records import GRAVITY
 
 Array: TypeAlias = npt.NDArray[np.float64]

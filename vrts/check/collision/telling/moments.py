@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from vrts.check.collision.pairs.arm_state import Prober
-from vrts.check.collision.pairs.pairs import Pairs
+from vrts.check.collision.pairs.table import Pairs
 from vrts.geometry.proving.prover import EXACT
 from vrts.geometry.proving.rows import gaps
 

@@ -7,7 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 from vrts.check.collision.pairs.findings import BAND, GRAZE, SLACK, Leaves, Touch, leaves
-from vrts.check.collision.pairs.pairs import Pairs
+from vrts.check.collision.pairs.table import Pairs
 from vrts.check.collision.telling.episodes import Episode
 
 Array: TypeAlias = npt.NDArray[np.float64]

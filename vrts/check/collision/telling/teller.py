@@ -20,7 +20,7 @@ import numpy.typing as npt
 from vrts.base.pose import Vector
 from vrts.check.collision.pairs.arm_state import Prober, RunRecord
 from vrts.check.collision.pairs.findings import GRAZE, SLACK, Closest, Leaves, leaves
-from vrts.check.collision.pairs.pairs import Pairs
+from vrts.check.collision.pairs.table import Pairs
 from vrts.check.collision.second_opinion import Witness
 from vrts.check.collision.telling.cause import cause_at, held_at
 from vrts.check.collision.telling.edges import Edge, edges_of

@@ -3,7 +3,7 @@
 import numpy as np
 
 from vrts.check.collision.pairs.findings import Touch
-from vrts.check.collision.pairs.pairs import Pairs
+from vrts.check.collision.pairs.table import Pairs
 from vrts.check.collision.search.known_events import KnownEvents, Times
 
 NO = np.zeros(1, dtype=np.bool_)
