@@ -57,6 +57,20 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/live/store/test_programs.py",),
     ),
     Patch(
+        "a rehearsal from now begins as the task does",
+        "vrts/live/rehearsing/begun.py",
+        "run_from_now(begin) if begin.state else run_from_start(begin)",
+        "run_from_start(begin)",
+        ("tests/unit/live/rehearsing/test_rehearsal_now.py",),
+    ),
+    Patch(
+        "a browser says where its rehearsal takes place",
+        "vrts/live/rehearsing/asked.py",
+        "Asked: TypeAlias = Rehearse |",
+        "Asked: TypeAlias = Begin | Rehearse |",
+        ("tests/unit/live/rehearsing/test_rehearsal_socket.py",),
+    ),
+    Patch(
         "a language server outlives the editor that it helped",
         "vrts/live/front/help_socket.py",
         "await helper.end()",

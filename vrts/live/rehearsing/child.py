@@ -24,7 +24,7 @@ from vrts.pipeline.alone import robot_alone
 
 LIMITS: Final = Limits(cpu_s=1800, memory=600_000_000, file=1_000_000, files=64)
 ONCE_S: Final = 40  # of processor for one question [s]
-YIELDS: Final = 10  # niceness: sessions and the server go first
+YIELDS: Final = 5  # niceness: sessions and the server go first
 NO_MEMORY: Final = 71  # exit status
 WARM: Final = "warm"  # argument of one that has time
 NONE: Final = "nothing is rehearsed"

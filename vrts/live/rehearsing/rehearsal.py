@@ -3,24 +3,31 @@
 Everything is looked up in the run (`debug.debugger`): going back costs what going forward costs.
 """
 
-from collections.abc import Sequence
-from typing import Final
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Final, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
 
 from vrts.base.source import SourceFile
 from vrts.debug.breakpoints import Breakpoint, resolve
 from vrts.debug.debugger import Debugger, Stop, Way, Why
 from vrts.debug.frames import frames
 from vrts.debug.passages import Instant, instant_of
-from vrts.debug.values import scopes
+from vrts.debug.values import FEW, variable
 from vrts.engine.memory.events import Cause, Printed
 from vrts.engine.memory.records import Ending
 from vrts.engine.run import Run
+from vrts.ir.values import Value
 from vrts.lang.dialect import Dialect
 from vrts.live.rehearsing.asked import What
 from vrts.live.rehearsing.told import Block, Place, Stopped, Variable
 from vrts.live.session.channel.messages import BLOCK
 from vrts.live.session.looking.block import block
+from vrts.monitor.listings import name_order
 from vrts.report.plain import one_line
+
+Passed: TypeAlias = NDArray[np.int64]
 
 MOST_VARIABLES: Final = 300
 LONGEST_VALUE: Final = 200  # characters
@@ -33,11 +40,6 @@ _WORDS: Final = {
     Why.BEGIN: "start",
     Why.BREAKPOINT: "breakpoint",
     Why.END: "end",
-}
-_GROUPS: Final = {
-    "Arguments and AUTO": "local",
-    "Variables": "variable",
-    "Locations": "location",
 }
 
 
@@ -87,10 +89,8 @@ class Rehearsal:
         debugger, fresh = self._debugger, self._fresh
         self._fresh = False
         match what:
-            case "run" if fresh and self._stops_at_once:
-                debugger.stop = Stop(self._entry, Why.BREAKPOINT)
             case "run":
-                debugger.go_on()
+                self._on(begin=self._entry.finished - 1 if fresh else debugger.at.finished)
             case "over":
                 debugger.step(Way.OVER)
             case "into":
@@ -100,7 +100,7 @@ class Rehearsal:
             case "back":
                 debugger.step_back()
             case "back_run":
-                debugger.reverse()
+                self._back()
             case "start":
                 self._to_start()
             case "end":
@@ -130,18 +130,6 @@ class Rehearsal:
         known = cause is not None and cause.span.source.name == self.source.name
         return cause.span.line if cause is not None and known else 0
 
-    @property
-    def _stops_at_once(self) -> bool:
-        """Whether a breakpoint is at the first step."""
-        passages, code = self._debugger.passages(process=False), self.run.history.code
-        first = passages.following(self._entry)
-        if first >= passages.count:
-            return False
-        lines = [point.line for point in self._debugger.wishes.lines]
-        found = [resolve(code, self.source.name, line) for line in lines]
-        number = int(passages.instructions[first])
-        return any(known is not None and number in known.instructions for known in found)
-
     # --- parts --------------------------------------------------------------------------------
 
     def _first(self, begin: Instant) -> Instant:
@@ -151,6 +139,49 @@ class Rehearsal:
         if first >= passages.count:
             return begin
         return instant_of(self.run, int(passages.before[first]))
+
+    def _on(self, begin: int) -> None:
+        """Go to the first breakpoint after so many finished statements, or to the end."""
+        end = self._debugger.jump(self.run.horizon_s)
+        found = [
+            self._came(process, int(passes[reached > begin][0]))
+            for process, passes, reached in self._passes()
+            if len(reached) and reached[-1] > begin
+        ]
+        self._debugger.stop = min(found, key=_when, default=end._replace(why=Why.END))
+
+    def _back(self) -> None:
+        """Go to the breakpoint before, or to the start."""
+        at = self._debugger.at
+        found: list[Stop] = []
+        for process, passes, reached in self._passes():
+            last = passes[reached <= at.finished][:-3:-1].tolist()  # at most one of them is here
+            earlier = (stop for k in last if (stop := self._came(process, k)).instant < at)
+            found += list(earlier)
+        self._to_start()
+        self._debugger.stop = max(found, key=_when, default=self._debugger.stop)
+
+    def _passes(self) -> Iterator[tuple[bool, Passed, Passed]]:
+        """Yield how both programs come to breakpoints, in order: with which of their statements.
+
+        And how many statements of both are finished then.
+        """
+        name, code, entry = self.source.name, self.run.history.code, self._entry.finished
+        resolved = [resolve(code, name, point.line) for point in self._debugger.wishes.lines]
+        wanted = np.array(
+            sorted({number for one in resolved if one is not None for number in one.instructions}),
+            np.int64,
+        )
+        for process in (False, True):
+            passages = self._debugger.passages(process=process)
+            comes = np.isin(passages.instructions, wanted) & passages.begins
+            passes = np.flatnonzero(comes & (passages.before >= entry))
+            yield process, passes, np.maximum(passages.reached[passes], entry)
+
+    def _came(self, process: bool, number: int) -> Stop:
+        passages = self._debugger.passages(process=process)
+        instant = max(passages.instant(number), self._entry)
+        return Stop(instant, Why.BREAKPOINT, process=process)
 
     def _to_start(self) -> None:
         self._debugger.restart()
@@ -163,12 +194,8 @@ class Rehearsal:
         frame = inside[0] if inside else None
         failed = stop.why is Why.END and run.ending is Ending.ERROR
         cause = frame.cause if frame is not None else self._last_cause() if failed else None
-        shown = [
-            Variable(one.name, one.value[:LONGEST_VALUE], _GROUPS[scope.name])
-            for scope in scopes(debugger, frame)
-            if scope.name in _GROUPS
-            for one in scope.shown
-        ]
+        own: Mapping[str, Value] = {} if frame is None else frame.locals(run, stop.instant)
+        shown = [*shown_of(own, "local"), *shown_of(debugger.state.variables)]
         return Stopped(
             of,
             why or ("error" if failed else _WORDS.get(stop.why, "step")),
@@ -201,3 +228,27 @@ class Rehearsal:
         ]
         lines = "".join(texts[-10 * MOST_LINES :]).splitlines()[-MOST_LINES:]
         return tuple(line[:LONGEST_LINE] for line in lines)
+
+
+def _when(stop: Stop) -> Instant:
+    return stop.instant
+
+
+def shown_of(values: Mapping[str, Value], group: str = "") -> Iterator[Variable]:
+    """Yield variables by name; of an array with many elements only how many it has.
+
+    Args:
+        values: By name.
+        group: That they are shown in; empty: as their kind is.
+    """
+    arrays: dict[str, list[str]] = {}
+    for name in values:
+        arrays.setdefault(name.partition("[")[0], []).append(name)
+    for base in sorted(arrays, key=name_order):
+        names = arrays[base]
+        kind = group or ("location" if isinstance(values[names[0]], tuple) else "variable")
+        if len(names) > FEW:
+            yield Variable(f"{base}[]", f"{len(names):,} elements", kind)
+            continue
+        for name in sorted(names, key=name_order):
+            yield Variable(name, variable(name, values[name]).value[:LONGEST_VALUE], kind)

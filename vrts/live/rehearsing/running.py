@@ -17,7 +17,7 @@ from vrts.pipeline.request import Request
 from vrts.pipeline.setting import scenario_of
 from vrts.scene.model import Limits
 
-LIMITS: Final = Limits(statements=1_000_000, time_s=600.0, motions=5_000, output_characters=200_000)
+LIMITS: Final = Limits(statements=500_000, time_s=600.0, motions=5_000, output_characters=200_000)
 
 
 class Outcome(NamedTuple):

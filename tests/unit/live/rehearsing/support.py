@@ -22,8 +22,8 @@ HITS = (TASK.parent / "submissions" / "hits-base.v2").read_text("utf-8")
 ENDLESS = """.PROGRAM main()
   i = 0
   10 i = i + 1
-  DRIVE 1, 20 + i / 10, 100
-  DRIVE 1, -20 - i / 10, 100
+  DRIVE 1, 20 + i / 10, 3
+  DRIVE 1, -20 - i / 10, 3
   GOTO 10
 .END
 """

@@ -97,7 +97,7 @@ def test_a_program_without_end_is_run_to_a_limit_which_is_said() -> None:
     assert any(mark.kind == "fault" for mark in ready.marks)
     last = questions.go("end")
     assert last.time_s == ready.duration_s
-    assert float({v.name: v.value for v in last.variables}["i"]) > 100
+    assert float({v.name: v.value for v in last.variables}["i"]) > 10
     assert questions.block(9).data is not None
     assert questions.go("back").line in (3, 4, 5, 6)
 

@@ -18,7 +18,7 @@ from tests.unit.live.rehearsing.support import HITS, TASK, Page, link, processes
 from vrts.live.protocol.fields import LONGEST_MESSAGE
 from vrts.live.rehearsing.asked import asked
 from vrts.live.rehearsing.offering import MOST, Rehearsals, Whose
-from vrts.live.rehearsing.process import DIED
+from vrts.live.rehearsing.process import DIED, TOO_LONG
 from vrts.live.rehearsing.talk import MOST_BAD, NONE, OVER, UNREAD
 
 FEW = ".PROGRAM main()\n  TYPE 1\n.END\n"
@@ -164,12 +164,13 @@ def test_a_process_that_is_killed_is_told_of_and_the_next_rehearsal_works(
     with link(server, kim.cookie, kim.room) as socket:
         page = Page(socket)
         assert page.rehearse(FEW)["type"] == "ready"
-        for pid in processes(server):
-            os.kill(pid, signal.SIGKILL)  # the one that waits, too
-        told = page.next()
-        assert (told["type"], told["message"]) == ("ended", DIED)
-        assert page.ask("go", what="run")["message"] == NONE
-        assert page.rehearse(FEW)["type"] == "ready"
+        for sign, words in ((signal.SIGKILL, DIED), (signal.SIGXCPU, TOO_LONG)):
+            for pid in processes(server):
+                os.kill(pid, sign)  # the one that waits, too
+            told = page.next()
+            assert (told["type"], told["message"]) == ("ended", words)
+            assert page.ask("go", what="run")["message"] == NONE
+            assert page.rehearse(FEW)["type"] == "ready"
 
 
 @pytest.mark.thorough
