@@ -23,6 +23,10 @@ BESIDE = "document.getElementById('rehearsal-beside').textContent"
 AT = "Number(document.getElementById('rehearsal-time').value)"
 JOINTS = "[...vrts.world.state.q].map((q) => q.toFixed(4)).join()"
 SIGN = f"{ROOT}.querySelector('.cm-break')?.getAttribute('aria-label')"
+DOC = "editing.view.state.doc"
+CHANGE = "((changes) => editing.view.dispatch({changes}))"
+LINES = """import('/web/live/rehearsal/gutter.js').then(({ breakpointLines }) =>
+    breakpointLines(editing.view))"""
 HELD = "document.getElementById('held').textContent"
 
 
@@ -143,5 +147,13 @@ def test_a_program_is_rehearsed_both_ways_and_nothing_moves(
     anna.until(f"{SHOWN} && {JOINTS} !== {live!r}")
     page.click("#rehearsal-stop")
     anna.until(f"!{SHOWN} && {STATE} === 'The rehearsal has been ended.' && {HERE} === ''")
+
+    # breakpoints keep to their lines while one writes
+    assert anna.value(LINES) == [7, 12]
+    anna.value(f"{CHANGE}({{from: 0, to: {DOC}.length, insert: {DOC}.toString()}})")
+    assert anna.value(LINES) == [7, 12], "the text was laid out anew"
+    anna.value(f"{CHANGE}({{from: {DOC}.line(12).from, insert: '  '}})")
+    anna.value(f"{CHANGE}({{from: {DOC}.line(7).from, to: {DOC}.line(8).from}})")
+    assert anna.value(LINES) == [11], "its line is gone"
     assert anna.complaints() == []
     anna.context.close()

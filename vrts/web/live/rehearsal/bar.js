@@ -44,7 +44,7 @@ export class Bar {
     this.state = make("p", { class: "rehearsal-state", id: "rehearsal-state" });
     this.said = make("span", { class: "unseen", role: "status" });
     this.element = make("div", { class: "rehearsal", role: "group", "aria-label": "Rehearsal" },
-      make("div", { class: "row" }, this.begin, this.from, make("span", { class: "rehearsal-steps", role: "toolbar", "aria-label": "Steps of the rehearsal" }, ...this.steps.values()), this.end),
+      make("div", { class: "row" }, this.begin, this.from, make("span", { class: "rehearsal-steps", role: "group", "aria-label": "Steps of the rehearsal" }, ...this.steps.values()), this.end),
       this.state, this.said);
   }
 
