@@ -13,6 +13,14 @@ def source(*names: str) -> str:
     return "\n".join((LIVE / name).read_text("utf-8") for name in names)
 
 
+def told(keys: list[tuple[str, str]]) -> None:
+    """Require that each key stands in the table with what it does."""
+    rows = [[cell.strip() for cell in row.split("|")] for row in TABLE.splitlines() if "|" in row]
+    for key, does in keys:
+        row = next((row for row in rows if key in (row[2], *row[2].split(", "))), [""] * 4)
+        assert does in row[3], (key, does)
+
+
 def test_every_key_with_alt_is_told_and_there_is_no_other() -> None:
     everything = "\n".join(path.read_text("utf-8") for path in sorted(LIVE.rglob("*.js")))
     known = set(re.findall(r"\bKey([A-Z])\b", everything))
@@ -25,9 +33,15 @@ def test_the_keys_of_the_editor_are_told_with_the_words_of_the_page() -> None:
     assert listed is not None
     keys = re.findall(r'\["([^"]+)", "([^"]+)"\]', listed[1])
     assert len(keys) > 6
-    for key, does in keys:
-        row = next((row for row in TABLE.splitlines() if key in row), "")
-        assert does in row, key
+    told(keys)
+
+
+def test_the_keys_of_a_rehearsal_are_told_with_the_words_of_the_page() -> None:
+    bar = source("rehearsal/bar.js")
+    steps = re.findall(r'^  \["\w+", "([^"]+)", "([^"]+)", "M', bar, re.M)
+    assert len(steps) > 5
+    told([(key, text.lower()) for text, key in steps])
+    told(re.findall(r'\["((?:F\d|Ctrl)[^"]*)", "([^"]+)"\]', bar))
 
 
 def test_the_keys_of_the_pendant_and_the_views_are_told() -> None:
