@@ -3,7 +3,9 @@
 import pytest
 
 from tests.unit.live.rehearsing.support import CALLS, ENDLESS, HITS, TASK, Questions
+from vrts.live.rehearsing import begun
 from vrts.live.rehearsing.told import Refused
+from vrts.live.rehearsing.within import CAN
 
 
 @pytest.fixture(scope="module")
@@ -143,4 +145,22 @@ def test_what_does_not_compile_is_refused_with_places(questions: Questions) -> N
         assert isinstance(refused, Refused), text[:20]
         assert words in refused.message, refused
         assert len(refused.problems) <= 100
+    assert questions.ready(HITS).mark is not None
+
+
+@pytest.mark.skipif(not CAN, reason="this system cannot tell how much of the processor is used")
+def test_what_takes_too_much_computing_is_given_up_and_what_was_run_is_shown(
+    questions: Questions, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(begun, "CHECK_S", 0.002)
+    ready = questions.ready(HITS)
+    assert (ready.note, ready.undetermined) == (begun.NOT_CHECKED, True)
+    assert (ready.contacts, ready.mark, ready.ended.why) == ((), None, "completed")
+    assert questions.go("end").typed == ("finished",)
+    monkeypatch.setattr(begun, "RUN_S", 0.002)
+    long = ".PROGRAM main()\n" + "".join(f"  x = {k}\n" for k in range(4000)) + ".END\n"
+    refused = questions.rehearse(long)
+    assert isinstance(refused, Refused)
+    assert refused.message == begun.TOO_LONG
+    monkeypatch.undo()
     assert questions.ready(HITS).mark is not None
