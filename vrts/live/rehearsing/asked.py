@@ -16,7 +16,7 @@ MOST_BREAKPOINTS: Final = 200
 LONGEST_S: Final = 1e7  # of a time [s]
 
 Id = Annotated[int, Meta(ge=1, le=2**31)]
-Name = Annotated[str, Meta(pattern=r"^\w[\w .-]{0,39}\Z")]
+Name = Annotated[str, Meta(pattern=r"^[\w.-][\w .-]{0,63}\Z")]  # as the page names files
 Text = Annotated[str, Meta(max_length=LONGEST_PROGRAM)]
 Line = Annotated[int, Meta(ge=1, le=LONGEST_PROGRAM)]  # of the text, from 1
 Lines = Annotated[tuple[Line, ...], Meta(max_length=MOST_BREAKPOINTS)]

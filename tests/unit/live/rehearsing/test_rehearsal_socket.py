@@ -16,7 +16,7 @@ from tests.support_live import PATIENCE, Json, LiveServer
 from tests.unit.live.editing.support import gone
 from tests.unit.live.rehearsing.support import HITS, TASK, Page, link, processes
 from vrts.live.protocol.fields import LONGEST_MESSAGE
-from vrts.live.rehearsing.asked import asked
+from vrts.live.rehearsing.asked import Rehearse, asked
 from vrts.live.rehearsing.offering import MOST, Rehearsals, Whose
 from vrts.live.rehearsing.process import DIED, TOO_LONG
 from vrts.live.rehearsing.talk import MOST_BAD, NONE, OVER, UNREAD
@@ -125,6 +125,12 @@ def test_a_text_is_rehearsed_and_nothing_moves_in_the_room(server: LiveServer) -
 def test_a_browser_may_ask_nothing_else(name: str) -> None:
     with pytest.raises(msgspec.DecodeError):
         asked(json.dumps(HOSTILE[name]))
+
+
+def test_a_file_may_have_any_name_that_the_page_gives() -> None:
+    for name in ("main.v2", "-x.v2", "_" * 60 + ".v2", "Übung 1"):
+        order = {"type": "rehearse", "id": 1, "text": FEW, "name": name, "from": "now"}
+        assert asked(json.dumps(order)) == Rehearse(1, FEW, name, "now")
 
 
 @pytest.mark.thorough
