@@ -9,6 +9,7 @@ from vrts.lang.grammar.build import PRECEDENCE
 from vrts.lang.meaning import type_mistakes
 from vrts.lang.meaning.forms import is_text
 from vrts.lang.meaning.functions.applications import ApplicationTypes, Wanted
+from vrts.lang.meaning.instead import formats
 from vrts.lang.meaning.instead.inputs_by_index import asked_as_string
 from vrts.lang.meaning.name_uses import Asked, NoText
 from vrts.lang.meaning.scope import Entry
@@ -82,7 +83,7 @@ class ExpressionTypes(ApplicationTypes):
             case Application():
                 return self._application(node, wanted)
             case FormatItem():
-                type_mistakes.format_here(self.problems, node)
+                formats.format_here(self.problems, node)
                 return Type.DYNAMIC
 
     def _infix(self, node: Infix, wanted: Wanted) -> Type:

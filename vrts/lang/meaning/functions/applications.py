@@ -10,6 +10,7 @@ from vrts.lang.dialect import Angles
 from vrts.lang.meaning import type_mistakes
 from vrts.lang.meaning.forms import is_text, with_start
 from vrts.lang.meaning.functions import arguments, unknown
+from vrts.lang.meaning.instead import formats
 from vrts.lang.meaning.name_uses import Asked, NameUses
 from vrts.lang.meaning.type_mistakes import IN_WORDS
 from vrts.lang.names import key
@@ -188,9 +189,9 @@ class ApplicationTypes(NameUses):
         for item in items:
             if isinstance(item, FormatItem):
                 if FORMAT.fullmatch(item.text) is None:
-                    type_mistakes.unknown_format(self.problems, item)
+                    formats.unknown_format(self.problems, item)
             elif isinstance(item, Infix) and item.operator == ":" and _is_width(item.right):
-                type_mistakes.pascal_format(self.problems, item)
+                formats.pascal_format(self.problems, item)
             elif item is not None:
                 kind = Type.STRING if is_text(item) else Type.REAL
                 self.item_of_type = item if writes and kind is Type.STRING else None
