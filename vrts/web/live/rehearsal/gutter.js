@@ -136,6 +136,7 @@ const looks = EditorView.theme({
   ".cm-breakpoints .cm-gutterElement:hover:not(:has(.cm-break))::before": { content: '""', gridArea: "1 / 1", width: "11px", height: "11px", borderRadius: "50%", border: "2px solid var(--red)", opacity: ".55" },
   ".cm-break::before": { content: '""', position: "absolute", inset: "2px", borderRadius: "50%", border: "6px solid var(--red)", boxSizing: "border-box" },
   ".cm-break.cm-break-idle::before": { borderWidth: "2px", borderStyle: "dashed" },
+  ".cm-break.cm-here::before": { inset: "0", borderWidth: "2px" },
   ".cm-here::after": { content: '""', position: "absolute", left: "4px", top: "2px", borderLeft: "9px solid var(--lit-edge)", borderTop: "6px solid transparent", borderBottom: "6px solid transparent",
     filter: "drop-shadow(0 0 1px var(--ink))" },
   ".cm-rehearsed": { backgroundColor: "var(--lit)", boxShadow: "inset 4px 0 0 var(--lit-edge)" },
