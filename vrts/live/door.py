@@ -12,7 +12,10 @@ from collections.abc import Callable
 from typing import Any, Final, cast
 
 from uvicorn.protocols.websockets.websockets_sansio_impl import WebSocketsSansIOProtocol
+from websockets.frames import Frame
 from websockets.http11 import Request
+
+from vrts.live.callers.frames import SLICE, Frames
 
 MOST: Final = 2 * 1024 * 1024  # bytes that may wait for one client
 FEW: Final = 16 * 1024
@@ -89,6 +92,8 @@ class Door:
 class DoorProtocol(WebSocketsSansIOProtocol):
     """uvicorn's own protocol, with a door for the application."""
 
+    _came: Frames | None = None
+
     def handle_connect(self, event: Request) -> None:
         """Put the door into the scope before the application sees it."""
         super().handle_connect(event)
@@ -96,6 +101,48 @@ class DoorProtocol(WebSocketsSansIOProtocol):
             extensions = cast("dict[str, Any]", self.scope.get("extensions"))
             extensions[EXTENSION] = lambda: Door(self)
             _keep_buffers_short(self.transport)
+
+    def data_received(self, data: bytes) -> None:
+        """Take frames, a few at a time, unless there are far too many."""
+        for begin in range(0, len(data), SLICE):
+            if self.transport.is_closing():
+                return
+            super().data_received(data[begin : begin + SLICE])
+
+    def handle_text(self, event: Frame) -> None:
+        """Take a text frame."""
+        if self._counted():
+            super().handle_text(event)
+
+    def handle_bytes(self, event: Frame) -> None:
+        """Take a binary frame."""
+        if self._counted():
+            super().handle_bytes(event)
+
+    def handle_cont(self, event: Frame) -> None:
+        """Take one more part of a message."""
+        if self._counted():
+            super().handle_cont(event)
+
+    def handle_ping(self) -> None:
+        """Answer a ping."""
+        if self._counted():
+            super().handle_ping()
+
+    def handle_pong(self, event: Frame) -> None:
+        """Take a pong."""
+        if self._counted():
+            super().handle_pong(event)
+
+    def _counted(self) -> bool:
+        """Count a frame; return whether it may be, else the connection ends."""
+        if self.transport.is_closing():
+            return False
+        self._came = self._came or Frames()
+        if self._came.take():
+            return True
+        self.transport.abort()
+        return False
 
     def finish(self) -> None:
         """Say that the server has no more, and close."""

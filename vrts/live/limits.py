@@ -14,6 +14,9 @@ RECORDS: Final = 20_000  # in the log of a session: of who came, and of who had 
 EXCESS: Final = 1000  # messages beyond the limits after which a connection ends
 CONNECTIONS: Final = 8  # of one account
 ALL_CONNECTIONS: Final = 2000
+UNJOINED: Final = 500  # WebSockets that have not said `join` yet
+BODIES: Final = 2  # programs that an account sends at the same time
+ALL_BODIES: Final = 40
 ACCOUNTS: Final = 1000  # whose use is remembered beside their places
 PLACES: Final = 1000  # in a room
 

@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 import uvicorn
 
+from vrts.live.callers.patient import PatientProtocol
 from vrts.live.door import DoorProtocol
 from vrts.live.entrance.by_hand import supervisor_link, working_code
 from vrts.live.front.app import application
@@ -97,6 +98,7 @@ def _serve(
         open_link(f"{entrances.address}/#enter={entrances.supervisor}")
     config = uvicorn.Config(
         app,
+        http=PatientProtocol,
         ws=DoorProtocol,
         ws_max_size=LONGEST_MESSAGE,
         ws_ping_interval=20.0,

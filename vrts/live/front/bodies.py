@@ -1,14 +1,17 @@
 """Bodies of requests, read without trust, and of answers."""
 
+import asyncio
 from typing import Final, TypeVar
 
 import msgspec
-from starlette.requests import Request
+from starlette.requests import ClientDisconnect, Request
 from starlette.responses import Response
 
 from vrts.live.front.guard import refused
 
 LONGEST_BODY: Final = 8 * 1024  # bytes
+BODY_S: Final = 10.0  # until a body must have come, and longer for a long one
+SLOWEST: Final = 16_000  # bytes a second
 JSON: Final = "application/json"
 
 Body = TypeVar("Body")
@@ -28,10 +31,16 @@ async def read_body(
     if request.headers.get("content-type", "").split(";")[0].strip() != JSON:
         return refused(415, "body", f"the body must be {JSON}")
     data = bytearray()
-    async for part in request.stream():
-        data += part
-        if len(data) > longest:
-            return refused(413, "body", f"the {what} is too long")
+    try:
+        async with asyncio.timeout(BODY_S + longest / SLOWEST):
+            async for part in request.stream():
+                data += part
+                if len(data) > longest:
+                    return refused(413, "body", f"the {what} is too long")
+    except TimeoutError:
+        return refused(408, "body", f"the {what} did not come in time", "try again")
+    except ClientDisconnect:
+        return Response(status_code=400)  # nobody is there to read it
     try:
         return msgspec.json.decode(data, type=kind)
     except msgspec.DecodeError as problem:

@@ -4,7 +4,7 @@ One's own shelf is for everybody who is logged in, also after their room was clo
 room who may command there saves, and who is in it reads.
 """
 
-from collections import OrderedDict
+from collections import Counter, OrderedDict
 from typing import Final, Literal, NamedTuple, TypeVar
 
 from starlette.requests import Request
@@ -14,7 +14,7 @@ from starlette.routing import Route
 from vrts.live.front.bodies import as_json, read_body
 from vrts.live.front.guard import refused
 from vrts.live.lasting.clock import steady, wall
-from vrts.live.limits import Bucket
+from vrts.live.limits import ALL_BODIES, BODIES, Bucket
 from vrts.live.protocol.over_programs import (
     DropProgram,
     KeepProgram,
@@ -77,6 +77,7 @@ class ProgramPages:
         self._who = who
         self._buckets: OrderedDict[int, Bucket] = OrderedDict()
         self._together = GuestsTogether()
+        self._reading: Counter[int] = Counter()  # programs that accounts send at the moment
 
     def routes(self) -> list[Route]:
         """Return where they are asked."""
@@ -160,10 +161,10 @@ class ProgramPages:
 
     async def _given(self, request: Request, kind: type[Body]) -> tuple[Body, _Place] | Response:
         """Return what somebody wants written, and the shelf that is to be written to."""
-        body = await read_body(request, kind, longest=LONGEST_BODY, what="program")
+        body = await self._read(request, kind)
         if isinstance(body, Response):
             return body
-        place = await self._place(request, body.room, body.shelf, writes=True)
+        place = await self._place(request, body.room, body.shelf)
         return place if isinstance(place, Response) else (body, place)
 
     async def _asked(self, request: Request) -> _Place | Response:
@@ -172,18 +173,34 @@ class ProgramPages:
         shelf: Literal["own", "room"] = "room" if asked.get("shelf") == "room" else "own"
         return await self._place(request, asked.get("room", ""), shelf)
 
+    async def _read(self, request: Request, kind: type[Body]) -> Body | Response:
+        """Return what somebody sends who may write now, and not too much at the same time."""
+        account = await self._who(request.cookies)
+        if account is None:
+            return _nobody()
+        if not self._lets(account):
+            return refused(429, "limit", "you save too often", "wait a few seconds")
+        reading = self._reading
+        if reading[account.id] >= BODIES or reading.total() >= ALL_BODIES:
+            return refused(503, "busy", "too many programs are sent at once", "try again")
+        reading[account.id] += 1
+        try:
+            return await read_body(request, kind, longest=LONGEST_BODY, what="program")
+        finally:
+            reading[account.id] -= 1
+            if not reading[account.id]:
+                del reading[account.id]
+
     async def _place(
-        self, request: Request, room: str, shelf: Literal["own", "room"], *, writes: bool = False
+        self, request: Request, room: str, shelf: Literal["own", "room"]
     ) -> _Place | Response:
         """Return a shelf, or why it may not be used."""
         account = await self._who(request.cookies)
         if account is None:
-            return refused(401, "login", "nobody is logged in", "open the join link again")
+            return _nobody()
         may = shelf == "own" or any(entry.id == room for entry in self._hub.entries(account))
         if not may:
             return refused(404, "room", "there is no such room for you any more")
-        if writes and not self._lets(account):
-            return refused(429, "limit", "you save too often", "wait a few seconds")
         return _Place(account, own_shelf(account.id) if shelf == "own" else room_shelf(room))
 
     def _lets(self, account: Account) -> bool:
@@ -192,6 +209,10 @@ class ProgramPages:
         while len(self._buckets) > PERSONS:
             self._buckets.popitem(last=False)
         return bucket.take(steady())
+
+
+def _nobody() -> Response:
+    return refused(401, "login", "nobody is logged in", "open the join link again")
 
 
 def _shown(versions: list[Version], account: Account) -> tuple[KeptVersion, ...]:

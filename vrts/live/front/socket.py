@@ -65,12 +65,17 @@ async def serve_socket(
         return
     await websocket.accept()
     door = door_of(websocket.scope)
+    hub.unjoined[door] = None
+    if len(hub.unjoined) > limits.UNJOINED:
+        next(iter(hub.unjoined)).abort()  # an honest page joins at once
     try:
         joining = _join(hub, websocket, account, door, address, browsers)
         member = await asyncio.wait_for(joining, JOIN_S)
     except TimeoutError:
         _end(door, Closed("join", "no `join` came"))
         return
+    finally:
+        hub.unjoined.pop(door, None)
     if member is None:
         return
     try:

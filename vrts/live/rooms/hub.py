@@ -5,7 +5,7 @@ import logging
 from collections.abc import Callable, Coroutine
 from typing import Any, Final
 
-from vrts.live.door import text_frame
+from vrts.live.door import Door, text_frame
 from vrts.live.entrance.ways_in import WaysIn
 from vrts.live.lasting.clock import wall
 from vrts.live.limits import BRANCHES, TURNS, Buckets
@@ -54,6 +54,7 @@ class Hub:
         self.branches = Buckets(*BRANCHES)  # how many each account begins
         self.turns = Buckets(*TURNS)  # how often each account asks for control
         self.purges = -1  # how often somebody was purged; -1: not known yet
+        self.unjoined: dict[Door, None] = {}  # connections whose first message has not come
         self.stopping = False
         self._tasks: set[asyncio.Task[Any]] = set()
 
