@@ -103,8 +103,9 @@ def test_anybody_looks_at_the_past_and_goes_on_from_there_alone(server: LiveServ
     assert state["status"]["time_s"] >= middle
     own.take_frames(2)
     assert "7" in typed(own, lease, "LISTR turns"), "8 came later"
-    known = [m["status"]["mode"] for m in own.came if m["type"] == "now"]
-    if known[-1:] != ["stopped"]:  # which may have been told before what was typed was answered
+    known = [state["status"]["mode"]]
+    known += [m["status"]["mode"] for m in own.came if m["type"] == "now"]
+    if known[-1] != "stopped":  # which may have been told before what was typed was answered
         own.wait("now", lambda m: m["status"]["mode"] == "stopped")
     typed(own, lease, "DO DRIVE 2,10,100")
     own.wait("now", lambda m: abs(m["status"]["joints_rad"][1] + math.pi / 2) > 0.15)
