@@ -7,7 +7,7 @@ import os
 import random
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Final
+from typing import Any, Final
 from urllib.parse import quote
 
 import psutil
@@ -93,7 +93,7 @@ class Stay:
         """Keep a program as a new version, after the newest one."""
         text = PROGRAM.format(angle=number % 20 - 10, number=number)
         where = f"/programs/versions?room={self.room}&shelf={shelf}&name={quote(name)}"
-        versions = self.server.request("GET", where, cookie=self.cookie).json
+        versions: Any = self.server.request("GET", where, cookie=self.cookie).json
         seen = versions[0]["number"] if versions else 0
         body: Json = {"room": self.room, "shelf": shelf, "name": name, "text": text}
         body["seen"] = seen

@@ -3224,6 +3224,20 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/live/rooms/test_session_deaths.py",),
     ),
     Patch(
+        "two servers work in one folder",
+        "vrts/live/lasting/folder_lock.py",
+        "fcntl.LOCK_EX | fcntl.LOCK_NB",
+        "fcntl.LOCK_SH | fcntl.LOCK_NB",
+        ("tests/unit/live/front/test_cannot_serve.py::test_a_second_server_in_a_folder_is_refused",),
+    ),
+    Patch(
+        "commands are acknowledged that the disk has not taken",
+        "vrts/live/rooms/sessions.py",
+        "            await written\n",
+        "            pass\n",
+        ("tests/unit/live/rooms/test_full_disk.py",),
+    ),
+    Patch(
         "the server's clock jumps when the machine's is set",
         "vrts/live/lasting/clock.py",
         "return _WALL_S + (time.clock_gettime(_BOOT) - _BOOT_S)",

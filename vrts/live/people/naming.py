@@ -5,7 +5,7 @@ from collections.abc import Iterable
 from typing import Final
 
 from vrts.live.people.letters import BLANK, allowed, clusters, plain
-from vrts.live.people.skeleton import look
+from vrts.live.people.skeleton import look, look_once
 
 LONGEST: Final = 40  # letters, as people count them
 LONGEST_GIVEN: Final = 160  # characters
@@ -63,4 +63,5 @@ def own_name(name: str, taken: Taken, *, guest: bool) -> str:
 def is_role(name: str) -> bool:
     """Return whether a name can be taken for a word of a role, blanks and signs left out."""
     letters = "".join(c for c in name if c.isalnum() or unicodedata.category(c)[0] == "M")
-    return any(look(word).alike(look(letters)) for word in RESERVED)
+    seen = look_once(letters)
+    return any(look(word).alike(seen) for word in RESERVED)

@@ -15,6 +15,7 @@ from typing import Final, NamedTuple
 from vrts.live.people.letters import clusters, is_ignorable
 
 TABLE: Final = "confusables.txt"
+KNOWN: Final = 8192  # names whose looks are remembered: more than there are accounts
 
 
 class Look(NamedTuple):
@@ -36,9 +37,14 @@ def skeleton(text: str) -> str:
     return unicodedata.normalize("NFD", mapped)
 
 
-@functools.lru_cache(maxsize=16_384)
+@functools.lru_cache(maxsize=KNOWN)
 def look(name: str) -> Look:
-    """Return what somebody sees of a name."""
+    """Return what somebody sees of a name; it is remembered, as each new name is compared."""
+    return look_once(name)
+
+
+def look_once(name: str) -> Look:
+    """Return what somebody sees of a name that is compared only now."""
     kinds = {unicodedata.bidirectional(character) for character in name}
     leftward = bool(kinds & {"R", "AL"})
     if leftward and not kinds & {"L", "EN", "AN"}:

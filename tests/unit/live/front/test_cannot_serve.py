@@ -16,8 +16,8 @@ import pytest
 from click.testing import CliRunner
 
 from tests.places import ROOT
-from tests.support_commands import vrts_text
-from tests.support_live import LiveServer
+from tests.support_commands import Begun, vrts_text
+from tests.support_live import PATIENCE, LiveServer
 from vrts.cli.main import vrts
 from vrts.live.lasting.folder_lock import FILE, held, holder
 from vrts.live.settings import DATABASE
@@ -28,13 +28,20 @@ from vrts.pipeline.files import CannotRead
 
 def refused(folder: Path, *options: str, port: int = 0) -> str:
     """Try to serve; return what is said, which has two lines and no traceback."""
-    said = vrts_text("serve", "cans-on-bases", "--folder", folder, "--port", port, *options)
-    assert said.returncode == 2, said
-    error, *help_ = said.stderr.splitlines()
+    begun = Begun("serve", "cans-on-bases", "--folder", folder, "--port", port, *options)
+    assert begun.stderr is not None
+    try:
+        status = begun.wait(PATIENCE)
+    finally:
+        begun.kill()  # one that serves after all
+        with begun.stderr:
+            said = begun.stderr.read()
+    assert status == 2, said
+    error, *help_ = said.splitlines()
     assert error.startswith("error: ")
     assert all(line.startswith("help: ") for line in help_)
     assert len(help_) <= 1
-    return said.stderr
+    return said
 
 
 def test_a_second_server_in_a_folder_is_refused(tmp_path: Path) -> None:
