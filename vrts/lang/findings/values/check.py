@@ -1,6 +1,6 @@
 """Asks about every number that matters: first what is written, then what is known on the way."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 
 from vrts.base.diagnostic import Severity
 from vrts.ir.module import Datum, Program
@@ -14,7 +14,13 @@ from vrts.lang.findings.values.flow import Followed, State, states
 from vrts.lang.findings.values.intervals import ANY, Interval, point
 from vrts.lang.findings.values.joined import check_joined, check_same
 from vrts.lang.findings.values.loops import check_loop
-from vrts.lang.findings.values.questions import DIVISIONS, Question, questions
+from vrts.lang.findings.values.questions import (
+    DIVISIONS,
+    Question,
+    asked_names,
+    questions,
+    variables,
+)
 from vrts.lang.findings.values.stretches import Stretches
 from vrts.lang.findings.values.switched import check_switched, says_off_by_zero
 from vrts.lang.findings.values.units.angles import check_angles, check_taught
@@ -32,7 +38,6 @@ from vrts.lang.syntax.expressions import (
     Item,
     Name,
     Number,
-    Parenthesised,
     Prefix,
 )
 from vrts.lang.syntax.program import ProgramText
@@ -258,7 +263,7 @@ class ValueCheck:
         """Return whether a variable of an expression may be known somewhere."""
         return any(
             self._is_plain(entry) and (program in entry.written_in or len(entry.values) == 1)
-            for entry in (self.scope.entry(program, name) for name in _variables(node))
+            for entry in (self.scope.entry(program, name) for name in variables(node))
         )
 
     def _is_plain(self, entry: Entry) -> bool:
@@ -276,7 +281,7 @@ class ValueCheck:
             elif isinstance(node, For) and isinstance(node.target, Name):
                 ends = (node.first, node.last, node.increment)
                 deciding.setdefault(key(node.target.text), []).extend(ends)
-        waiting = [name for what in self.open[text.name] for name in _asked_names(what)]
+        waiting = [name for what in self.open[text.name] for name in asked_names(what)]
         found: dict[str, None] = {}
         while waiting:
             name = waiting.pop()
@@ -289,7 +294,7 @@ class ValueCheck:
                 continue
             found[name] = None
             for value in deciding.get(name, ()):
-                waiting += _variables(value)
+                waiting += variables(value)
         return frozenset(found)
 
     def _start(self, program: str, names: frozenset[str]) -> State:
@@ -351,33 +356,6 @@ def _literal(node: Application | Simple, program: str | None) -> tuple[object, .
         else:
             return None
     return tuple(values)
-
-
-def _asked_names(what: Question | Asked) -> Iterator[str]:
-    node = what.node
-    if isinstance(node, For):
-        for part in (node.first, node.last, node.increment):
-            yield from _variables(part)
-    elif isinstance(what, Question):
-        yield from _variables(what.node)
-
-
-def _variables(node: Item | None) -> Iterator[str]:
-    """Return the plain variables in an expression, by their keys."""
-    waiting = [node]
-    while waiting:
-        part = waiting.pop()
-        match part:
-            case Name(text) if text[0] not in "$#":
-                yield key(text)
-            case Infix(_, left, right):
-                waiting += [right, left]
-            case Prefix(_, inner) | Parenthesised(inner):
-                waiting.append(inner)
-            case Application(_, arguments):
-                waiting += arguments
-            case _:
-                pass
 
 
 def _leaps(programs: list[ProgramText]) -> bool:

@@ -7,8 +7,18 @@ from vrts.lang.dialect import Dialect
 from vrts.lang.findings.values import complaints
 from vrts.lang.findings.values.complaints import Complain
 from vrts.lang.meaning.name_uses import Asked
-from vrts.lang.syntax.expressions import Application, Element, FormatItem, Item
-from vrts.lang.syntax.statements import Put, ReactStatement, Simple, Statement
+from vrts.lang.names import key
+from vrts.lang.syntax.expressions import (
+    Application,
+    Element,
+    FormatItem,
+    Infix,
+    Item,
+    Name,
+    Parenthesised,
+    Prefix,
+)
+from vrts.lang.syntax.statements import For, Put, ReactStatement, Simple, Statement
 
 DIVISIONS = frozenset({"/", "MOD"})  # operators of which the right operand is divided by
 
@@ -88,3 +98,31 @@ _FIRST_OPERAND: dict[str, Complain] = {
     "DRIVE": complaints.joint,
     "LOCK": complaints.priority,
 }
+
+
+def asked_names(what: Question | Asked) -> Iterator[str]:
+    """Return the plain variables that a question is about, by their keys."""
+    node = what.node
+    if isinstance(node, For):
+        for part in (node.first, node.last, node.increment):
+            yield from variables(part)
+    elif isinstance(what, Question):
+        yield from variables(what.node)
+
+
+def variables(node: Item | None) -> Iterator[str]:
+    """Return the plain variables in an expression, by their keys."""
+    waiting = [node]
+    while waiting:
+        part = waiting.pop()
+        match part:
+            case Name(text) if text[0] not in "$#":
+                yield key(text)
+            case Infix(_, left, right):
+                waiting += [right, left]
+            case Prefix(_, inner) | Parenthesised(inner):
+                waiting.append(inner)
+            case Application(_, arguments):
+                waiting += arguments
+            case _:
+                pass
