@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from vrts.live import actions, limits, settings
+from vrts.live.callers import frames, patient
 from vrts.live.editing import asked, seats
 from vrts.live.entrance import entries
 from vrts.live.front import browsers, help_socket, program_pages, socket
@@ -104,6 +105,19 @@ def _limits() -> Iterator[tuple[str, str, str]]:
         f"{program_pages.LONGEST_BODY:,} bytes",
         "it is refused",
     )
+    yield (
+        "saved programs on their way at once",
+        f"{limits.BODIES} of a person, {limits.ALL_BODIES} in all",
+        "try again",
+    )
+    yield "connections that have said nothing yet", f"{limits.UNJOINED}", "the oldest ends"
+    yield "connections without a page's line", f"{patient.MOST}", "the oldest that waits ends"
+    yield (
+        "a request",
+        f"its head within {patient.HEAD_S:.0f} s, all within {patient.ANSWER_S / 60:.0f} minutes",
+        "the connection ends",
+    )
+    yield "frames of a connection", _rate(frames.FRAMES), "the connection ends"
     yield "messages of a page", _rate(limits.MESSAGES), "the rest is refused"
     yield (
         "messages beyond that",
