@@ -61,24 +61,17 @@ class Look:
 class Term:
     """Goes from hour to hour."""
 
-    def __init__(self, folder: Path, plan: Plan, faketime: Path | None) -> None:
-        """Start a server; `faketime` is the library that steps the machine's clock for it."""
+    def __init__(self, folder: Path, plan: Plan) -> None:
+        """Start a server, and let the operators in."""
         self.folder, self.plan, self.key = folder / "live", plan, folder / "key" / "log-key"
         self._copies = folder / "restored"
-        self._steps = folder / "steps"
-        self.faked = faketime is not None
         self.died = self.killed = self.backups = self.hour = 0
         self.looks: list[Look] = []
         self.seen: set[int] = set()  # numbers of all processes below the server
         add_user(self.folder, "Lehrerin", PASSWORD, supervisor=True)
         add_user(self.folder, "Jürgen", PASSWORD, supervisor=False)
         ahead = Ahead(folder / "ahead")
-        self._step(0)
         known = {VARIABLE: str(ahead.path)}
-        if faketime is not None:
-            known |= {"LD_PRELOAD": str(faketime), "FAKETIME_TIMESTAMP_FILE": str(self._steps)}
-            known |= {"FAKETIME_NO_CACHE": "1", "DONT_FAKE_MONOTONIC": "1"}
-            known |= {"FAKETIME_DONT_FAKE_MONOTONIC": "1"}
         self._environment = known
         with _Environment(known):
             self.server = HourlyServer(
@@ -124,7 +117,7 @@ class Term:
         self._pass_time()
         for at, hours in plan.steps:
             if at == hour:
-                self._step(hours)
+                self.people.ahead.step(hours * HOUR)
         if hour in plan.servers:
             self._kill_the_server()
         joins = plan.joins * hour // plan.hours
@@ -160,9 +153,6 @@ class Term:
             desk.lead()
         rooms = len(self.desks)
         boss.wait("rooms", lambda m: len(m["rooms"]) == rooms)  # the private one is closed
-
-    def _step(self, hours: int) -> None:
-        self._steps.write_text(f"{hours * 3600:+d}s\n")
 
     def _work(self) -> None:
         """Have the arms of all rooms moved by programs at once."""

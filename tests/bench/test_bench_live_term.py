@@ -3,7 +3,8 @@
 Run by hand: `python -m pytest tests/bench/test_bench_live_term.py -s`; `VRTS_TERM=0.1` does a tenth
 in each hour. Hours are counted so: before each of the 24 the server's clock is set on by an hour,
 then what people do in an hour is done without the waiting between (`tests/bench/live_term.py`).
-The machine's clock is stepped besides: an hour back, a day forward, an hour back. In every hour all
+The machine's clock, as the server sees it, is stepped besides: an hour back, a day forward, an hour
+back (`tests/unit/live/rooms/test_clock_steps.py` steps it for the whole process). In every hour all
 that was acknowledged is looked for in an online backup that was restored, and after each death in
 the session that goes on. The second half of the hours may add 5 % of memory.
 """
@@ -13,7 +14,6 @@ import time
 from pathlib import Path
 
 from tests.bench.live_term import Look, Plan, Term
-from tests.unit.live.rooms.test_clock_steps import FOUND
 
 SHARE = float(os.environ.get("VRTS_TERM", "1"))
 GROWTH = 0.05
@@ -30,7 +30,7 @@ def row(look: Look) -> str:
 
 def test_a_term(tmp_path: Path) -> None:
     began_s = time.monotonic()
-    term = Term(tmp_path, PLAN, FOUND[0] if FOUND else None)
+    term = Term(tmp_path, PLAN)
     print("\n  hour  server  sessions  files  sockets  threads  processes  database")
     with term.server:
         for _ in range(PLAN.hours):
@@ -45,7 +45,7 @@ def test_a_term(tmp_path: Path) -> None:
     }
     commands = sum(map(len, term.people.ledger.commands.values()))
     ledger = term.people.ledger
-    steps = ", ".join(f"{hours:+d} h" for _, hours in PLAN.steps) if term.faked else "none"
+    steps = ", ".join(f"{hours:+d} h" for _, hours in PLAN.steps)
     print(
         f"{PLAN.hours} hours in {time.monotonic() - began_s:.0f} s (load {os.getloadavg()[0]:.1f}):"
         f" {term.people.joined} joins by {len(term.people.cookies)} guests,"

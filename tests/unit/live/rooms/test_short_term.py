@@ -5,7 +5,6 @@ from pathlib import Path
 import pytest
 
 from tests.bench.live_term import Plan, Term
-from tests.unit.live.rooms.test_clock_steps import FOUND
 
 PLAN = Plan(hours=2, rooms=2, joins=16, deaths=2, servers=(), steps=((2, -1),), helped=1000)
 
@@ -13,7 +12,7 @@ PLAN = Plan(hours=2, rooms=2, joins=16, deaths=2, servers=(), steps=((2, -1),), 
 @pytest.mark.thorough
 def test_two_hours_lose_nothing_and_leave_nothing_over(tmp_path: Path) -> None:
     pytest.importorskip("argon2", reason='needs pip install "vrts[live]"')
-    term = Term(tmp_path, PLAN, FOUND[0] if FOUND else None)
+    term = Term(tmp_path, PLAN)
     with term.server:
         term.go_on()
         term.go_on()
