@@ -1,0 +1,193 @@
+"""From the address to the arm on the screen: on a phone with a slow line, and on a desk.
+
+By hand: `python -m pytest tests/bench/test_bench_live_phone.py -s -p no:xdist`. Chromium has
+nothing in its cache, and slows itself down as its developer tools do: the processor four times,
+1.6 Mbit/s down and 0.75 up, 150 ms a request. When the arm is on the screen is told by pixels. How
+long the network takes is a sum, the same on every machine: a round trip for the page, one for what
+it names, and the bytes. How long the processor takes depends on who else is at work; a process that
+only sleeps tells.
+"""
+
+import statistics
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import pytest
+from playwright.sync_api import Browser, Page, sync_playwright
+
+from tests.bench.machine import Metronome
+from tests.browser.first_picture import (
+    BYTES,
+    DESKTOP,
+    PHONE,
+    Profile,
+    Screen,
+    behave,
+    first_with_arm,
+    told,
+)
+from tests.browser.support import CHROMIUM, FLAGS
+from tests.browser.support_sessions import Desk, supervisor
+from tests.support_live import LiveServer
+
+TIMES = 5
+ASKED_S = 1.5
+MOST_BYTES = 50_000  # of a phone's first picture
+ROUNDS = 2  # the page, and what it names
+WAITS = """new Promise((done) => {
+  const alive = () => window.vrts?.world?.state;
+  const look = () => alive() ? done(performance.now() / 1000) : setTimeout(look, 20);
+  look();
+})"""
+NEEDED = ("/", "/web/live/index.css", "/web/live/early.js")  # before the first picture
+LATER = "**/web/{live/main.js,vendor/**}"
+STILL = "document.querySelector('canvas.still')"
+
+
+class Load(NamedTuple):
+    """One opening of a page in a browser that has seen nothing of it."""
+
+    first_s: float  # from the navigation to the arm on the screen
+    alive_s: float  # from there to a 3D view that moves
+    sent: dict[str, int]  # bytes of each answer, by its address
+    processor_s: float  # of the page's main thread until then, as slow as the profile
+
+
+@pytest.fixture(scope="module")
+def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[LiveServer]:
+    with LiveServer(tmp_path_factory.mktemp("phone") / "live", measured=True) as started:
+        yield started
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Browser]:
+    if not Path(CHROMIUM).exists():
+        pytest.skip("needs Chromium")
+    with sync_playwright() as playwright:
+        opened = playwright.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
+        yield opened
+        opened.close()
+
+
+@pytest.fixture(scope="module")
+def lead(server: LiveServer, browser: Browser) -> Iterator[Desk]:
+    """A supervisor, who has moved the arm to where it was not at the beginning."""
+    desk = supervisor(browser, server)
+    desk.page.click("#control-button")
+    desk.until("document.body.classList.contains('operates')")
+    desk.ask("DO DRIVE 1,40,100")
+    yield desk
+    desk.context.close()
+
+
+@pytest.mark.parametrize(
+    ("profile", "path"),
+    [(PHONE, "/"), (DESKTOP, "/")],
+    ids=lambda what: what.name if isinstance(what, Profile) else what,
+)
+def test_from_the_address_to_the_arm(
+    server: LiveServer, browser: Browser, lead: Desk, profile: Profile, path: str
+) -> None:
+    cookies: list[Any] = lead.context.cookies()
+    if "projector" not in path:
+        guest = server.enter("guest")
+        pairs = (one.split("=", 1) for one in guest.split("; "))
+        cookies = [{"name": n, "value": v, "url": f"http://{server.host}"} for n, v in pairs]
+    with Metronome() as control:
+        loads = [_load(server, browser, profile, path, cookies) for _ in range(TIMES)]
+        late = control.so_far()
+    processor = _processor(server, browser, profile, path, cookies)
+    first = [load.first_s for load in loads]
+    alive = statistics.median(load.alive_s for load in loads)
+    needed = [sum(load.sent[name] for name in _needed(path)) for load in loads]
+    sent = statistics.median(sum(load.sent.values()) for load in loads)
+    network = 0.0
+    if profile.down:
+        network = ROUNDS * profile.latency_ms / 1e3 + 8 * max(needed) / profile.down
+    print(
+        f"\n{profile.name} {path}: arm on the screen {statistics.median(first):.2f} s (median of"
+        f" {TIMES}; {min(first):.2f} to {max(first):.2f}; asked {ASKED_S}), 3D view {alive:.2f} s"
+        f"\n  network of the first picture {network:.2f} s: {len(NEEDED)} answers in {ROUNDS}"
+        f" rounds, {max(needed) / 1e3:.1f} kB; the page {len(loads[-1].sent)} answers,"
+        f" {sent / 1e3:.0f} kB"
+        f"\n  processor of the first picture {processor:.2f} s, until the 3D view"
+        f" {statistics.median(load.processor_s for load in loads):.2f} s (main thread, x"
+        f"{profile.slower:.0f}); who only sleeps wakes {late.p95:.1f} ms late (p95)",
+        end="",
+    )
+    assert max(needed) <= MOST_BYTES
+    assert min(first) < 20.0
+
+
+def _load(
+    server: LiveServer, browser: Browser, profile: Profile, path: str, cookies: list[Any]
+) -> Load:
+    page = _page(browser, profile, cookies)
+    session = page.context.new_cdp_session(page)
+    behave(session, profile)
+    told(session, "Performance.enable", timeDomain="threadTicks")
+    screen = Screen(session)
+    screen.watch(profile.size)
+    page.goto(f"http://{server.host}{path}", wait_until="commit")
+    alive = float(page.evaluate(WAITS))
+    worked = _worked(session)
+    sent = {_name(server, url): int(size) for url, size, *_ in page.evaluate(BYTES)}
+    told(session, "Emulation.setCPUThrottlingRate", rate=1)
+    _settle(page, screen)
+    screen.stop()
+    began = float(page.evaluate("performance.timeOrigin / 1000"))
+    when, _ = first_with_arm(page, screen.frames)
+    page.context.close()
+    return Load(when - began, alive, sent, worked)
+
+
+def _processor(
+    server: LiveServer, browser: Browser, profile: Profile, path: str, cookies: list[Any]
+) -> float:
+    """Return what the main thread works for the first picture alone, as slow as the profile [s]."""
+    page = _page(browser, profile, cookies)
+    session = page.context.new_cdp_session(page)
+    told(session, "Performance.enable", timeDomain="threadTicks")
+    page.route(LATER, lambda route: route.abort())
+    page.goto(f"http://{server.host}{path}", wait_until="commit")
+    page.evaluate(
+        f"new Promise((done) => {{ const look = () => {STILL} ? done() : setTimeout(look, 5);"
+        " look(); }).then(() => new Promise(requestAnimationFrame))"
+    )
+    worked = _worked(session) * profile.slower
+    page.context.close()
+    return worked
+
+
+def _page(browser: Browser, profile: Profile, cookies: list[Any]) -> Page:
+    width, height = profile.size
+    context = browser.new_context(
+        viewport={"width": width, "height": height},
+        is_mobile=profile.mobile,
+        has_touch=profile.mobile,
+    )
+    context.add_cookies(cookies)
+    return context.new_page()
+
+
+def _settle(page: Page, screen: Screen) -> None:
+    """Wait until the arm's picture is the one that stays."""
+    page.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
+    seen = -1
+    while seen != len(screen.frames):  # whatever is still on its way to the screen
+        seen = len(screen.frames)
+        page.wait_for_timeout(500)
+
+
+def _worked(session: Any) -> float:
+    found = told(session, "Performance.getMetrics")["metrics"]
+    return next(float(one["value"]) for one in found if one["name"] == "TaskDuration")
+
+
+def _name(server: LiveServer, url: str) -> str:
+    return url.removeprefix(f"http://{server.host}")
+
+
+def _needed(path: str) -> tuple[str, ...]:
+    return (path, *NEEDED[1:])
