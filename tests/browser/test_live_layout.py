@@ -44,6 +44,12 @@ def height(desk: Desk, id_: str) -> int:
     return round(desk.value(f"document.getElementById('{id_}').getBoundingClientRect().height"))
 
 
+def unfolded(desk: Desk) -> None:
+    """Show the panels, whatever was done before."""
+    if not width(desk, "desk"):
+        desk.page.click("#fold-desk")
+
+
 def drag(desk: Desk, id_: str, by: tuple[int, int]) -> None:
     box = desk.page.locator(f"#{id_}").bounding_box()
     assert box is not None
@@ -157,10 +163,126 @@ def test_a_browser_without_storage_shows_the_page(anna: Desk) -> None:
     assert width(anna, "desk") == 0
 
 
+NARROW = (1366, 1024, 768, 390)
+CHOICES = ("past-jump", "past-span", "past-speed")
+
+
+def test_the_time_line_keeps_its_choices_at_every_width(anna: Desk) -> None:
+    page = anna.page
+    anna.until("document.getElementById('past-menu') !== null")
+    for wide in NARROW:
+        page.set_viewport_size({"width": wide, "height": 768 if wide > 768 else 900})
+        if wide < 800:
+            assert not page.is_visible("#past-jump"), wide
+            page.press("#past-menu", "Enter")
+            page.locator("#past-jump").wait_for(state="visible")
+        for id_ in CHOICES:
+            box = page.locator(f"#{id_}").bounding_box()
+            assert box is not None, (wide, id_)
+            assert box["x"] >= 0, (wide, id_)
+            assert box["x"] + box["width"] <= wide, (wide, id_)
+        assert page.locator(".past .past-branch:visible").count() == 1, wide
+        page.keyboard.press("Escape")
+        anna.until("document.querySelector('.menu:popover-open') === null")
+        assert width(anna, "past-time") > 200, "there is something to drag"
+    page.set_viewport_size({"width": 1366, "height": 768})
+
+
+CAMERA = "vrts.world.viewer.camera.position.toArray()"
+LOOKED_AT = "vrts.world.viewer.controls.target.toArray()"
+
+
+def test_the_camera_goes_by_keys_and_by_buttons_as_by_dragging(anna: Desk) -> None:
+    page = anna.page
+    page.set_viewport_size({"width": 1366, "height": 768})
+    page.click("[data-look=front]")
+    page.focus("#view")
+    _, _, low = anna.value(CAMERA)
+    page.keyboard.press("ArrowUp")
+    high: list[float] = anna.value(CAMERA)
+    assert high[2] > low + 0.1
+    before: list[float] = anna.value(LOOKED_AT)
+    page.keyboard.press("Shift+ArrowRight")
+    after: list[float] = anna.value(LOOKED_AT)
+    assert after[1] > before[1] + 0.05  # from the front, right is +Y
+    assert after[2] == pytest.approx(before[2])
+    page.click("#camera-button")
+    page.click("[data-move='Shift ArrowLeft']")
+    assert anna.value(LOOKED_AT) == pytest.approx(before)
+    page.click("[data-move=ArrowDown]")
+    assert anna.value(CAMERA)[2] == pytest.approx(low)
+    for _ in range(20):
+        page.click("[data-move=ArrowUp]")
+    assert anna.value(f"{CAMERA}.concat({LOOKED_AT}).every(Number.isFinite)")
+    page.keyboard.press("Escape")
+
+
+FOCUS = """async (steps) => {
+  const { settle, enable } = await import("/web/live/focus.js");
+  const place = document.createElement("ul");
+  document.getElementById("panel-pendant").append(place);
+  const row = (name) => {
+    const made = document.createElement("li");
+    made.dataset.key = name;
+    for (const textContent of ["Give", "Mute"]) {
+      made.append(Object.assign(document.createElement("button"), { textContent }));
+    }
+    return made;
+  };
+  const draw = (names) => settle(place, names.map(row));
+  const again = () => new Promise((done) => setTimeout(done));
+  const where = () => {
+    const { activeElement: at } = document;
+    return `${at.closest("li")?.dataset.key} ${at.textContent}`.slice(0, 20);
+  };
+  const found = [];
+  draw(["ada", "ben", "cas"]);
+  place.children[1].lastChild.focus();
+  const same = document.activeElement;
+  draw(["new", "ada", "ben", "cas"]);
+  found.push(where(), same === document.activeElement);
+  draw(["cas", "ben", "ada"]);  // it moves
+  await again();
+  found.push(where());
+  place.replaceChildren(...["new", "ada", "ben"].map(row));  // all are made anew
+  await again();
+  found.push(where());
+  draw(["new", "ada"]);  // it goes: the row before it
+  await again();
+  found.push(where());
+  const one = document.activeElement;
+  enable(one, false);
+  found.push(document.activeElement === one, one.disabled, one.getAttribute("aria-disabled"));
+  let pressed = 0;
+  one.addEventListener("click", () => pressed++);
+  one.click();
+  place.firstChild.firstChild.focus();
+  await again();
+  found.push(pressed, one.disabled, one.getAttribute("aria-disabled"));
+  document.activeElement.disabled = true;  // by whoever does not ask
+  await again();
+  found.push(where());
+  place.remove();
+  await again();
+  found.push(document.activeElement !== document.body);
+  return found;
+}"""
+
+
+def test_the_keyboard_stays_where_it_is_when_rows_are_drawn_again(anna: Desk) -> None:
+    unfolded(anna)
+    anna.page.click("#tab-pendant")
+    found = anna.page.evaluate(FOCUS)
+    assert found == [
+        *("ben Mute", True, "ben Mute", "ben Mute", "ada Mute"),
+        *(True, False, "true", 0, True, None),
+        *("new Mute", True),
+    ]
+
+
 def test_the_pointer_snaps_to_objects_and_two_points_are_measured(anna: Desk) -> None:
     page = anna.page
-    if not width(anna, "desk"):
-        page.click("#fold-desk")
+    unfolded(anna)
     page.click("#tab-pointer")
     anna.until("document.getElementById('snap-place')?.options.length > 2")
     page.select_option("#snap-place", "can1_grip")

@@ -50,6 +50,11 @@ def test_one_looks_back_and_goes_on_from_there_while_the_session_goes_on(
     assert ben.page.get_attribute("#past-time", "aria-valuetext") == "00:00:00"
     assert ben.page.inner_text(".f-outputs dd") == "none"
     assert anna.value(f"{turned(-20)} && {LIVE}"), "nobody else looks back"
+    ben.page.click("#tab-pendant")
+    ben.until("document.querySelector('#axes .value').textContent === '0.00°'")
+    assert ben.page.inner_text(".f-speed dd") == "–", "nobody knows it of then"
+    tag = "getComputedStyle(document.querySelector('#terminal .of-now')).visibility"
+    assert (ben.value(tag), anna.value(tag)) == ("visible", "hidden")
 
     ben.page.select_option("#past-jump", "line")
     ben.page.click("#past-after")
@@ -86,7 +91,19 @@ def test_one_looks_back_and_goes_on_from_there_while_the_session_goes_on(
     anna.page.evaluate("document.getElementById('past-time').focus()")
     anna.page.keyboard.press("PageDown")
     anna.until(LOOKS_BACK)
-    anna.ask("DO DRIVE 1,30,100")  # who acts sees what follows
+    anna.page.click("#ready")  # what is pressed by what one sees leads back, and no further
+    anna.until(f"{LIVE} && document.getElementById('toasts').textContent.includes('press again')")
+    assert anna.value("document.activeElement.id") == "ready"
+    focus(anna)
+    anna.page.keyboard.press("PageDown")
+    anna.until(LOOKS_BACK)
+    anna.page.press("#past-live", "Enter")
+    anna.until(LIVE)
+    assert anna.value("document.activeElement.id") == "past-live", "the keyboard stays where it was"
+    focus(anna)
+    anna.page.keyboard.press("PageDown")
+    anna.until(LOOKS_BACK)
+    anna.ask("DO DRIVE 1,30,100")  # what is typed is of now, and shows what follows
     anna.until(f"{LIVE} && {turned(10)}")
     for desk in (anna, ben):
         assert desk.complaints() == []

@@ -18,6 +18,9 @@ HOSTILE = "<img src=x onerror=window.attacked=1>"
 MARK = "document.getElementById('task-mark').textContent"
 CHOSEN = "(document.querySelector('.thing-list [aria-pressed=true]')?.dataset.body ?? '')"
 DRAWN = "fetch(vrts.store.now.sceneUrl).then((answer) => answer.text())"
+SEEN = "getComputedStyle(e).visibility === 'visible'"
+LIT = "document.querySelector('.source .lit')?.textContent.trim()"
+REACH = "(document.querySelector('.pointer-reach')?.textContent ?? '')"
 FACTS = "document.querySelector('.thing-facts').textContent"
 MIDDLE = """(() => {
   const { viewer } = vrts.world;
@@ -90,6 +93,19 @@ def test_the_task_stands_beside_the_arm(lead: Desk) -> None:
     page.click("#lost .contact button")
     looked = lead.value("import('/web/live/looking.js').then((page) => page.lookedAt())")
     assert f"{looked:.1f} s" == told
+    lead.until("document.querySelectorAll('#goal-list .there').length === 0")  # it was on its way
+    assert page.locator(".task-mark .of-now").evaluate(f"(e) => {SEEN}"), "the mark is of now"
+    assert page.inner_text("#goal-list .earned >> nth=0") == "now 4.25 of 4.25"
+    assert page.inner_text(".f-mark dd") == "–"
+    page.click("#tab-programs")
+    lead.until(f"{LIT} === 'APPROS base2_put, 60'")
+    page.click("#tab-pointer")
+    lead.until(f"{REACH}.includes('does not show what is now')")
+    page.click(".pointer-go")
+    lead.until("document.querySelector('.pointer-said').textContent.includes('press again')")
+    lead.until(f"{REACH}.includes('touches there') && {IDLE}")  # now it is asked
+    page.click("#tab-task")
+    page.click("#lost .contact button")
 
     page.keyboard.press("Alt+P")
     page.wait_for_selector("#desk", state="hidden")

@@ -1,5 +1,7 @@
 // What may be done here now, and why not: what the server would refuse is not offered.
 
+import { enable } from "./focus.js";
+
 /**
  * Return why no command can be given now; empty: it can.
  * @param {import("./store.js").Known} now
@@ -30,7 +32,7 @@ export const COMMANDING = ["connection", "control", "you", "alive"];
  * @param {HTMLButtonElement | HTMLInputElement | HTMLSelectElement} element @param {string} why not; empty: it may
  */
 export function allow(element, why) {
-  element.disabled = why !== "";
+  enable(element, why === "");
   if (element.dataset.title === undefined) element.dataset.title = element.title;
   const title = why || element.dataset.title;
   if (element.title !== title) element.title = title;

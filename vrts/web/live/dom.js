@@ -74,3 +74,16 @@ export function download(name, text) {
   make("a", { href: url, download: name }).click();
   window.setTimeout(() => URL.revokeObjectURL(url), 10_000);
 }
+
+/** Have what a button opens appear at the button, within the window. @param {HTMLElement} opener @param {HTMLElement} box a popover */
+export function beside(opener, box) {
+  box.addEventListener("beforetoggle", () => (box.style.visibility = "hidden")); // until it has its place
+  box.addEventListener("toggle", (event) => {
+    box.style.visibility = "";
+    if (/** @type {ToggleEvent} */ (event).newState !== "open") return;
+    const [at, size] = [opener.getBoundingClientRect(), box.getBoundingClientRect()];
+    const below = at.bottom + 4 + size.height <= window.innerHeight;
+    box.style.left = `${Math.max(Math.min(at.left, window.innerWidth - size.width - 8), 8)}px`;
+    box.style.top = `${below ? at.bottom + 4 : Math.max(at.top - size.height - 4, 8)}px`;
+  });
+}

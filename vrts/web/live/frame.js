@@ -9,6 +9,11 @@ export const MOVING = 2;
 export const STOPPING = 4;
 export const HOLDING = 8;
 
+/** Return the numbers of the outputs that are on. @param {number} outputs as bits */
+export function onIn(outputs) {
+  return Array.from({ length: 32 }, (_, bit) => bit).filter((bit) => (outputs >>> bit) & 1).map((bit) => bit + 1);
+}
+
 /**
  * @typedef {object} PoseFrame
  * @property {number} session

@@ -1,5 +1,6 @@
 // Keys that work everywhere on the page.
 
+import { moveOf } from "./camera.js";
 import { byId } from "./dom.js";
 
 const TWICE = 700; // within which Escape counts as pressed twice [ms]
@@ -43,11 +44,9 @@ export function bindKeys(app) {
     const { viewer } = app.world;
     if (!viewer || event.altKey || event.ctrlKey || event.metaKey) return;
     const view = VIEWS[/** @type {keyof typeof VIEWS} */ (/** @type {unknown} */ (event.key))];
+    const move = moveOf(event);
     if (view) app.world.look(view);
-    else if (event.key === "ArrowLeft") viewer.turn(0.15);
-    else if (event.key === "ArrowRight") viewer.turn(-0.15);
-    else if (event.key === "+") viewer.zoom(0.85);
-    else if (event.key === "-") viewer.zoom(1.18);
+    else if (move) move(viewer);
     else return;
     event.preventDefault();
   });

@@ -19,16 +19,22 @@ let leave = null;
 const watchers = [];
 /** @type {((then: Then | null) => void)[]} */
 const readers = [];
+/** @type {((live: boolean) => void)[]} */
+const livers = [];
+let told = "null"; // what the readers know
+let live = true; // what the livers know
 
 /** Look at a moment of the past, alone: nobody else's page changes. @param {number} at_s session time [s] */
 export function look(at_s) {
   if (Number.isFinite(at_s)) set(Math.max(at_s, 0));
+  changed();
 }
 
 /** Look at what is now again. */
 export function backToLive() {
   set(null);
   leaveOther();
+  changed();
 }
 
 /** Look at something else than the room, until somebody looks at the room or its past again. @param {() => void} left told then */
@@ -36,11 +42,18 @@ export function lookAtOther(left) {
   set(null);
   leaveOther();
   leave = left;
+  changed();
 }
 
 /** Whether this page shows what is now in the room. */
 export function isLive() {
   return moment === null && leave === null;
+}
+
+/** Be told now, and whenever the page begins or ends to show something else than what is now. @param {(live: boolean) => void} tell */
+export function onLive(tell) {
+  livers.push(tell);
+  tell(live);
 }
 
 /** Return the moment that is looked at [s]; null: what is now. */
@@ -56,6 +69,9 @@ export function onLook(tell) {
 
 /** Tell what was then; null: what is now counts again. @param {Then | null} then */
 export function tellThen(then) {
+  const key = JSON.stringify(then);
+  if (key === told) return; // asked for at every frame
+  told = key;
   for (const tell of readers) tell(then);
 }
 
@@ -70,6 +86,12 @@ function set(at_s) {
   if (at_s === moment) return;
   moment = at_s;
   for (const tell of watchers) tell(moment);
+}
+
+function changed() {
+  if (live === isLive()) return;
+  live = !live;
+  for (const tell of livers) tell(live);
 }
 
 function leaveOther() {

@@ -2,6 +2,7 @@
 
 import { Denied, enter, whoAmI } from "./account.js";
 import { byId } from "./dom.js";
+import { keepFocus } from "./focus.js";
 import { showDoor } from "./pages/door.js";
 import { showRoom } from "./pages/room.js";
 
@@ -40,5 +41,6 @@ async function start() {
   else if (byId("enter").hidden) showDoor("", "");
 }
 
+keepFocus();
 document.addEventListener("entered", (event) => void begin(/** @type {CustomEvent} */ (event).detail));
 void start();

@@ -13,6 +13,7 @@ import { DragNote } from "./pointing/note.js";
 /** @typedef {import("./pointer_pose.js").Vector} Vector */
 /** @typedef {import("../viewer/replay.js").State} State */
 
+const AWAY = "the picture does not show what is now: ways begin where the arm is now";
 const LENGTH = 0.2; // of the arrow at first [m]
 const TOUCHED = 0.06; // [m] opening of the ghost where the hand's own is smaller
 
@@ -21,6 +22,7 @@ const TOUCHED = 0.06; // [m] opening of the ghost where the hand's own is smalle
  * @property {import("../viewer/viewer.js").Viewer} viewer
  * @property {HTMLElement} panel is filled
  * @property {() => Pick<State, "X_WT"|"X_WF"|"q"> | null} state that is shown now
+ * @property {() => boolean} [past] whether something else than what is now is shown: ways begin at what is now
  * @property {(question: import("./pointer_reach.js").Question) => Promise<import("./pointer_reach.js").Reached>} ask
  * @property {(action: {type: "go", position_m: number[], oat_rad: number[], straight: boolean}) => Promise<any>} go
  *   rejects with what to say when it is refused
@@ -29,9 +31,10 @@ const TOUCHED = 0.06; // [m] opening of the ghost where the hand's own is smalle
 /** One pointer in one view. */
 export class VirtualPointer {
   /** @param {Surroundings} surroundings */
-  constructor({ viewer, panel, state, ask, go }) {
+  constructor({ viewer, panel, state, ask, go, past = () => false }) {
     this.viewer = viewer;
     this.state = state;
+    this.past = past;
     this.send = go;
     /** @type {PointerPose} */
     this.pose = pointerAt(identity(), LENGTH);
@@ -100,7 +103,17 @@ export class VirtualPointer {
 
   /** Ask again: the arm stands elsewhere, so the answer may be another one. */
   askAgain() {
-    if (this.visible) this.asker.want(this.question());
+    if (this.visible) this.inquire();
+  }
+
+  /** Ask for the way from where the arm is now; beside another picture it would mislead. */
+  inquire() {
+    if (!this.past()) {
+      this.asker.want(this.question());
+      return;
+    }
+    this.asker.stop();
+    this.showReach({ state: "unknown", text: AWAY, reached: null });
   }
 
   /** @param {PointerPose} pose */
@@ -112,7 +125,7 @@ export class VirtualPointer {
     this.panel.showNumbers(numbersOf(pose));
     this.panel.say("");
     this.draw();
-    this.asker.want(this.question());
+    this.inquire();
   }
 
   /** @param {1|2} stage place the arrow, or turn the gripper about it */

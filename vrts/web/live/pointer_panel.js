@@ -1,6 +1,7 @@
 // The panel of the virtual pointer: numbers, steps, what can be reached, and Go.
 
 import { button, choice, figure, make, write } from "./dom.js";
+import { enable } from "./focus.js";
 
 const NAMES = ["X", "Y", "Z", "O", "A", "T"];
 const SAID = ["X in millimetres", "Y in millimetres", "Z in millimetres", "O in degrees", "A in degrees", "T in degrees"];
@@ -210,7 +211,7 @@ export class PointerPanel {
 
   /** @param {boolean} on @param {string} why not */
   enableGo(on, why) {
-    this.goButton.disabled = !on;
+    enable(this.goButton, on);
     this.goButton.title = on ? "Move the arm to the pointer" : why;
   }
 

@@ -24,6 +24,7 @@ export class ReachAsker {
     /** @type {Question | null} */
     this.waiting = null;
     this.under_way = false;
+    this.stopped = false;
     this.asked = -Infinity; // [ms] when the last question went out
     this.timer = 0;
   }
@@ -31,6 +32,7 @@ export class ReachAsker {
   /** @param {Question} question replaces one that still waits */
   want(question) {
     this.waiting = question;
+    this.stopped = false;
     this.told({ state: "asking", text: "asking whether it can be reached", reached: null });
     this.next();
   }
@@ -38,6 +40,7 @@ export class ReachAsker {
   /** Ask nothing more. */
   stop() {
     this.waiting = null;
+    this.stopped = true; // an answer that is under way is of no use any more
     clearTimeout(this.timer);
     this.timer = 0;
   }
@@ -66,7 +69,7 @@ export class ReachAsker {
   /** @param {Answer} answer */
   answered(answer) {
     this.under_way = false;
-    if (!this.waiting) this.told(answer);
+    if (!this.waiting && !this.stopped) this.told(answer);
     this.next();
   }
 }

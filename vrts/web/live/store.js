@@ -22,7 +22,8 @@
  * @property {string[]} muted names of those who are not heard, for supervisors
  * @property {import("./protocol.js").Control} control
  * @property {import("./protocol.js").Chat[]} chat
- * @property {import("./protocol.js").Status | null} status
+ * @property {import("./protocol.js").Status | null} status of what is now: what may be done goes by it
+ * @property {import("./past/shown.js").Shown | null} shown status of the moment that is looked at: what is told goes by it
  * @property {import("./protocol.js").Program[]} programs
  * @property {import("./protocol.js").Contact[]} contacts
  * @property {import("./protocol.js").Contact[]} near
@@ -42,7 +43,7 @@
 function nothing() {
   return {
     connection: "connecting", ended: "", you: "", name: "", supervisor: false, alone: false, resets: false, room: null, rooms: [], projector: "",
-    scenes: [], session: -1, sceneUrl: "", alive: false, noSession: null, people: [], barred: [], muted: [], chat: [], status: null, programs: [],
+    scenes: [], session: -1, sceneUrl: "", alive: false, noSession: null, people: [], barred: [], muted: [], chat: [], status: null, shown: null, programs: [],
     notes: [],
     places: [], contacts: [], near: [], events: [], output: "", task: null, marked: null, wall: [], announced: null, stopped: null, code: { code: "", url: "" },
     control: { holder: "", lease: "", queue: [], locked: false, frozen: false, chat: true, turn_s: 0, idle_s: 0, ends: 0 },

@@ -34,6 +34,7 @@ export class World {
     /** @type {import("./protocol.js").Contact[]} */
     this.contacts = [];
     this.showContacts = true;
+    this.outputs = 0; // that are shown, as bits
     this.X_FT = identity();
     this.frames = 0; // that have come
     this.heard = 0; // session time of the last one [s]
@@ -149,6 +150,7 @@ export class World {
     }
     const first = !this.state;
     this.state = state;
+    this.outputs = outputs;
     if (first) {
       this.lookFrom(this.beginning, false); // now that it is known how the arm stands
       requestAnimationFrame(endStill); // after it is drawn

@@ -116,6 +116,7 @@ def _changes(run: Run, begin_s: float, until_s: float) -> Iterator[tuple[float, 
     for motion in history.arm.motions:
         moments.update((time(motion.start_s), time(motion.end_s)))
     moments.update(command.time_s for command in history.issued)
+    moments.update(e.time_s for e in run.events if isinstance(e, ProgramStarted | ProgramEnded))
     known = sorted(t for t in moments if begin_s <= t <= until_s)
     before: _Doing | None = None
     for t in known[:MOST_CHANGES]:

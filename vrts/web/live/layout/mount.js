@@ -59,7 +59,7 @@ export function mountLayout() {
 
   function show() {
     room.style.setProperty("--desk", `${layout.desk}px`);
-    room.style.setProperty("--desk-high", layout.deskHigh ? `${layout.deskHigh}px` : "44%");
+    if (layout.deskHigh) room.style.setProperty("--desk-high", `${layout.deskHigh}px`); // else by the window
     room.style.setProperty("--terminal", `${layout.terminal}px`);
     for (const part of /** @type {Part[]} */ (["desk", "terminal"])) {
       const folded = isFolded(part);

@@ -1,6 +1,7 @@
 // The admin page: how the server is, for a supervisor with an account of their own.
 
 import { byId, figure, make, write } from "../dom.js";
+import { settle } from "../focus.js";
 import { isolated } from "../names.js";
 import { mountEntrance } from "../panels/entrance.js";
 import { waysIn } from "../panels/ways_in.js";
@@ -63,13 +64,13 @@ export function showAdmin() {
     write(backup, now.backup_at
       ? `The last copy of the database was made ${lasted(Math.max(Date.now() / 1000 - now.backup_at, 0))} ago: ${size(now.backup_bytes)}.`
       : "No copy of the database was made yet. vrts serve --folder FOLDER --backup FILE makes one while the server runs.");
-    rooms.replaceChildren(...now.rooms.map((room) => make("tr", {},
+    settle(rooms, now.rooms.map((room) => make("tr", { "data-key": room.id },
       make("td", {}, make("a", { href: `/?room=${encodeURIComponent(room.id)}`, text: room.name })),
       make("td", { class: room.state === "runs" ? "good" : room.state.includes("dying") ? "bad" : "", text: room.state }),
       make("td", { text: String(room.people) }), make("td", {}, room.operator ? isolated(room.operator) : "nobody"),
       make("td", { text: room.scene }), make("td", { text: size(room.log) }))));
     nothing.hidden = now.log.length > 0;
-    log.replaceChildren(...now.log.map(({ at, level, text }) => make("li", { class: level },
+    settle(log, now.log.map(({ at, level, text }) => make("li", { class: level },
       make("time", { text: new Date(at * 1000).toLocaleString() }), make("span", { class: "level", text: level }), make("bdi", { text }))));
   }
 

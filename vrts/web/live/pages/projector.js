@@ -22,7 +22,7 @@ export function showProjector(me) {
   mountOverlay(app);
   mountStatus(app);
   mountSettings(app);
-  mountViews(app);
+  mountViews(app, { look: "table", keepLook: () => undefined });
   const title = byId("room-name");
   const operator = byId("turn");
   byId("control-button").hidden = byId("panic").hidden = true;

@@ -13,6 +13,7 @@ import { Store } from "../store.js";
 import { Toasts } from "../toasts.js";
 import { World } from "../world.js";
 import { backToLive } from "../looking.js";
+import { keepShown, leadBackFor } from "../past/shown.js";
 import { mountEditor } from "../editor/panel.js";
 import { mountButtons } from "../panels/buttons.js";
 import { mountMonitor } from "../panels/monitor.js";
@@ -109,7 +110,8 @@ export function started(room, follow) {
   });
   /** @param {import("../protocol.js").Message} action */
   async function command(action) {
-    backToLive(); // who acts sees what follows
+    const why = leadBackFor(action); // who acts sees what follows
+    if (why) throw new Refusal({ code: "past", text: why });
     /** @type {import("../protocol.js").Done} */
     const done = await connection.ask("command", { lease: store.now.control.lease, action }, "number");
     if (!done.accepted) throw new Refusal(done);
@@ -122,6 +124,7 @@ export function started(room, follow) {
     panic: () => (backToLive(), connection.send("panic")) || toasts.warn("there is no connection: the arm cannot be stopped from here"),
   };
   connection.rate = wantedRate();
+  keepShown(store);
   mountNoSession(app);
   store.on(["sceneUrl", "noSession", "connection"], ({ sceneUrl, noSession, connection: state, ended }) => {
     const over = state === "ended";

@@ -2,6 +2,7 @@
 
 import { allow } from "../allowed.js";
 import { byId, choice, make, onSubmit } from "../dom.js";
+import { settle } from "../focus.js";
 import { badges, inText, isolated } from "../names.js";
 import { LONGEST_CHAT } from "../protocol.js";
 import { count } from "./tabs.js";
@@ -29,7 +30,7 @@ export function mountChat({ store, connection, toasts }) {
   let last = 0;
   store.on(["chat", "you"], ({ chat, you }) => {
     const below = list.scrollHeight - list.scrollTop - list.clientHeight < 40;
-    list.replaceChildren(...chat.map((row) => entry(row, you)));
+    settle(list, chat.map((row) => entry(row, you)));
     if (below) list.scrollTop = list.scrollHeight;
     const newest = chat.at(-1)?.number ?? 0;
     if (newest > last && last && chat.at(-1)?.person !== you) count("chat");

@@ -1,5 +1,7 @@
 // Hold to move: a key goes down, a heartbeat follows, and whatever ends it lets go.
 
+import { isLive } from "../looking.js";
+
 const BEAT = 70; // [ms]; the arm stops by itself after 200 ms without one
 
 /** One key at a time. */
@@ -15,7 +17,9 @@ export class HeldKey {
   /** @param {{frame: string, axis: number, way: number, speed: number}} jog */
   press(jog) {
     this.release();
+    const back = !isLive();
     this.act({ type: "jog", ...jog });
+    if (back) return; // this press only led back to what is now
     this.timer = window.setInterval(() => this.act({ type: "keep" }), BEAT);
   }
 

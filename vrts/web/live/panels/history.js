@@ -2,7 +2,8 @@
 
 import { COMMANDING, allow, whyNoCommand } from "../allowed.js";
 import { byId, button, make, onSubmit } from "../dom.js";
-import { look } from "../looking.js";
+import { settle } from "../focus.js";
+import { look, lookedAt, onLook } from "../looking.js";
 import { inText } from "../names.js";
 
 const MOST = 200; // rows
@@ -41,6 +42,7 @@ export function mountHistory({ store, world, command, toasts }) {
   let waiting = false;
   store.on(["events", "contacts", "near", "notes"], later);
   document.addEventListener("panel", later);
+  onLook(later);
   function later() {
     if (waiting || panel.hidden) return;
     waiting = true;
@@ -58,7 +60,8 @@ export function mountHistory({ store, world, command, toasts }) {
     ].sort((a, b) => b.t - a.t).slice(0, MOST);
     none.hidden = rows.length > 0;
     box.hidden = !rows.length;
-    body.replaceChildren(...rows.map((row) => make("tr", { class: row.kind, "data-time": row.t.toFixed(1), "data-at": row.t },
+    const at = lookedAt() ?? Infinity;
+    settle(body, rows.map((row) => make("tr", { class: row.t > at ? `${row.kind} later` : row.kind, "data-time": row.t.toFixed(1), "data-at": row.t, "data-key": `${row.t} ${row.kind} ${row.text}` },
       make("td", { class: "time" }, make("button", { type: "button", class: "moment", text: `${row.t.toFixed(1)} s`, title: "Look at this moment" })), make("td", {}, ...breakable(row.text)), make("td", { class: "time", text: row.line }))));
   }
   store.on([...COMMANDING, "supervisor", "alone", "resets"], ({ supervisor, alone, resets }) => {

@@ -1,6 +1,7 @@
 // The supervisor's panel: control right, order, scene, rooms, logs.
 
 import { byId, button, choice, download, make, onSubmit, write } from "../dom.js";
+import { settle } from "../focus.js";
 import { waysIn } from "./ways_in.js";
 
 const ELSEWHERE = { target: "_blank", rel: "noopener" };
@@ -46,7 +47,7 @@ export function mountLead({ store, connection, toasts }, entrance) {
   const rooms = make("ul", { class: "rooms", "aria-label": "Rooms" });
   store.on(["rooms", "projector", "room", "people"], ({ rooms: all, projector, room, people }) => {
     const crowd = (/** @type {import("../protocol.js").RoomEntry} */ one) => (one.id === room?.id ? new Set(people.map(({ name }) => name)).size : one.people);
-    rooms.replaceChildren(...all.map((one) => make("li", {},
+    settle(rooms, all.map((one) => make("li", { "data-key": one.id },
       make("span", { class: "person", text: one.name }),
       make("span", { class: "soft", text: ` ${crowd(one) === 1 ? "1 person" : `${crowd(one)} people`}, ${one.task || one.scene}` }),
       ...(one.id === room?.id ? [make("span", { class: "tag", text: "you are here" })] : []),

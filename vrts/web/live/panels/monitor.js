@@ -2,6 +2,7 @@
 
 import { COMMANDING, allow, whyNoCommand } from "../allowed.js";
 import { byId, make, onSubmit, write } from "../dom.js";
+import { ofNow } from "../past/shown.js";
 import { hintFor } from "./monitor_questions.js";
 import { common, completions, namesIn } from "./monitor_words.js";
 
@@ -16,6 +17,7 @@ export function mountMonitor({ store, act, command, toasts }) {
   const words = byId("terminal-words");
   /** @type {string[]} */
   const lines = JSON.parse(sessionStorage.getItem(KEPT) ?? "[]");
+  byId("terminal").prepend(ofNow());
   let at = lines.length; // place in the history
   let draft = "";
 
@@ -29,8 +31,9 @@ export function mountMonitor({ store, act, command, toasts }) {
     const why = whyNoCommand(store.now);
     allow(field, why);
     allow(byId("terminal-interrupt"), why);
-    const { status } = store.now;
-    const hint = why || hintFor(status?.prompt ?? "", status !== null);
+    const { status, control, you, connection } = store.now;
+    const short = why && connection === "open" && control.holder !== you ? "Take control first" : why; // the whole would not fit
+    const hint = short || hintFor(status?.prompt ?? "", status !== null);
     if (field.placeholder !== hint) field.placeholder = hint;
   });
   byId("terminal-interrupt").addEventListener("click", () => act({ type: "interrupt" }));

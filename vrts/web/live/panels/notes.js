@@ -1,6 +1,7 @@
 // Notes at this moment: put by the operator and the supervisor, seen by everybody on the time line and in the list of events.
 
 import { byId, make, onSubmit, write } from "../dom.js";
+import { enable } from "../focus.js";
 import { withAlt } from "../keys.js";
 import { backToLive, onLook } from "../looking.js";
 import { inText } from "../names.js";
@@ -31,7 +32,7 @@ export function mountNotes({ store, connection, toasts }) {
   }, true);
   store.on(["control", "you", "supervisor", "connection", "alive"], ({ supervisor, connection: state, alive }) => {
     form.hidden = !supervisor && !store.operator;
-    field.disabled = put.disabled = state !== "open" || !alive;
+    for (const one of [field, put]) enable(one, state === "open" && alive);
   });
   onLook((t) => write(put, t === null ? "Note this moment" : "Note now"));
   let known = 0;

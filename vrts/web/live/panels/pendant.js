@@ -99,7 +99,7 @@ export function mountPendant(app) {
   }
 
   function values() {
-    const { location } = store.now.status ?? { location: [] };
+    const { location } = store.now.shown ?? { location: [] };
     rows.forEach(({ value }, axis) => {
       if (frame === "joint") write(value, world.state ? `${figure(world.state.q[axis] / DEG, 2)}°` : "–");
       else write(value, frame === "world" && axis < 3 && location.length ? `${figure(location[axis], 1)} mm` : "");
@@ -129,7 +129,7 @@ export function mountPendant(app) {
     allow(record, why);
     if (why && key.down) key.release();
   });
-  store.on(["status"], values);
+  store.on(["shown"], values);
   world.watchers.push(() => frame === "joint" && !panel.hidden && values());
   choose("joint");
   chooseWay(false);

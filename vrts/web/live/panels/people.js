@@ -1,6 +1,7 @@
 // Who is here, in which role, and who waits; for supervisors, what can be done about them.
 
 import { byId, button, make, write } from "../dom.js";
+import { settle } from "../focus.js";
 import { badges, inText, isolated } from "../names.js";
 import { ordinal, persons } from "../persons.js";
 import { count } from "./tabs.js";
@@ -46,9 +47,7 @@ export function mountPeople({ store, connection, toasts }) {
       return person.id === control.holder ? 0 : place >= 0 ? 1 + place : person.hand ? 1000 : person.role === "supervisor" ? 2000 : 3000;
     };
     const rows = persons(people, control, you).sort((a, b) => rank(a) - rank(b) || a.name.localeCompare(b.name));
-    const focused = document.activeElement?.getAttribute("data-do");
-    list.replaceChildren(...rows.map((person) => row(person, control, you, supervisor, connection)));
-    if (focused) /** @type {HTMLElement | null} */ (list.querySelector(`[data-do="${CSS.escape(focused)}"]`))?.focus();
+    settle(list, rows.map((person) => row(person, control, you, supervisor, connection)));
   });
 }
 
@@ -66,7 +65,7 @@ function held(title, undo, message, connection) {
     /** @param {string[]} names */
     show(names) {
       place.hidden = !names.length;
-      list.replaceChildren(...names.map(row));
+      settle(list, names.map(row));
     },
   };
 }
@@ -87,7 +86,7 @@ function row(person, control, you, supervisor, connection) {
   const holds = person.id === control.holder;
   const name = make("span", { class: "person" }, isolated(person.name), ...(person.id === you ? [" (you)"] : []));
   const roles = [...(person.role === "supervisor" ? badges("supervisor") : []), ...(holds ? badges("operator") : [])];
-  const entry = make("li", { class: person.away ? "away" : "" }, name, ...roles, ...marks);
+  const entry = make("li", { class: person.away ? "away" : "", "data-key": person.id }, name, ...roles, ...marks);
   if (supervisor) {
     const told = (/** @type {string} */ text, /** @type {string} */ type, /** @type {Record<string, unknown>} */ fields) =>
       button(text, () => connection.send(type, fields), { "data-do": `${type} ${person.id}`, "aria-label": `${text}: ${inText(person.name)}` });

@@ -2,6 +2,7 @@
 
 import { COMMANDING, whyNoCommand } from "../allowed.js";
 import { byId } from "../dom.js";
+import { isLive, onLive } from "../looking.js";
 
 /** @param {import("../pages/room.js").App} app */
 export function mountPointing({ store, connection, world, command, toasts }) {
@@ -28,7 +29,7 @@ export function mountPointing({ store, connection, world, command, toasts }) {
       if (pointer || !world.viewer) return;
       tools ??= mountTools({ store, world, pointer: () => pointer });
       pointer = new VirtualPointer({
-        viewer: world.viewer, panel: place, state: () => world.state,
+        viewer: world.viewer, panel: place, state: () => world.state, past: () => !isLive(),
         ask: (question) => connection.ask("reach", { ...question }),
         go: (action) => command(action),
       });
@@ -52,6 +53,7 @@ export function mountPointing({ store, connection, world, command, toasts }) {
   function appear() {
     if (world.state && pointer?.wanted && !pointer.visible && !panel.hidden) pointer.show(true);
   }
+  onLive(() => pointer?.visible && pointer.askAgain());
   store.on(COMMANDING, may);
   store.on(["status"], ({ status }) => {
     if (status?.mode === "idle" && pointer?.visible && before !== status.mode) pointer.askAgain();

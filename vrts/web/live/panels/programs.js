@@ -2,6 +2,9 @@
 
 import { COMMANDING, allow, whyNoCommand } from "../allowed.js";
 import { byId, button, download, make, onSubmit, write } from "../dom.js";
+import { settle } from "../focus.js";
+import { isLive } from "../looking.js";
+import { leadBack, ofNow } from "../past/shown.js";
 import { LONGEST_PROGRAM } from "../protocol.js";
 
 /** @param {import("../pages/room.js").App} app */
@@ -11,11 +14,18 @@ export function mountPrograms({ store, connection, command, act, toasts }) {
   const names = make("div", { class: "names", role: "group", "aria-label": "Programs in memory" });
   const none = make("p", { class: "soft", text: "No program is in memory. Upload one, or type EDIT at the monitor." });
   const fault = make("p", { class: "problem", role: "status" });
+  const other = make("p", { class: "soft then" });
   const source = make("ol", { class: "source", "aria-label": "Lines of the program", tabindex: "0" });
   const type = (/** @type {string} */ line) => act({ type: "line", line });
-  const run = button("Execute", () => type(`EXECUTE ${chosen}`), { class: "main" });
+  /** What goes on from what one sees: not from the past. @param {string} line */
+  const begin = (line) => {
+    const why = leadBack();
+    if (why) toasts.warn(why);
+    else type(line);
+  };
+  const run = button("Execute", () => begin(`EXECUTE ${chosen}`), { class: "main" });
   const stop = button("Abort", () => type("ABORT"));
-  const proceed = button("Proceed", () => type("PROCEED"));
+  const proceed = button("Proceed", () => begin("PROCEED"));
   const keep = button("Download", () => {
     const program = store.now.programs.find(({ name }) => name === chosen);
     if (program) download(`${program.name}.v2`, `.PROGRAM ${program.name}\n${program.lines.join("\n")}\n.END\n`);
@@ -30,10 +40,10 @@ export function mountPrograms({ store, connection, command, act, toasts }) {
   const shown = make("div", { hidden: true }, text, fetched);
 
   panel.append(
-    names, none, fault, source,
+    make("div", { class: "names-head" }, names, ofNow()), none, fault, source, other,
     make("div", { class: "row" }, run, stop, proceed, keep),
     make("div", { class: "block" }, make("h2", { text: "Upload a file" }), make("label", { class: "unseen", for: "upload", text: "VAL-II file" }), file),
-    make("div", { class: "block" }, make("h2", { text: "What was done, as a program" }), saving, shown),
+    make("div", { class: "block" }, make("h2", {}, "What was done, as a program ", ofNow()), saving, shown),
   );
   onSubmit(saving, () => {
     command({ type: "save", name: name.value.trim() })
@@ -81,7 +91,7 @@ export function mountPrograms({ store, connection, command, act, toasts }) {
     if (!programs.some((program) => program.name === chosen)) {
       chosen = status?.program || programs.find((program) => program.main)?.name || programs[0]?.name || "";
     }
-    names.replaceChildren(...programs.map((program) => button(program.name, () => { chosen = program.name; draw(); }, {
+    settle(names, programs.map((program) => button(program.name, () => { chosen = program.name; draw(); }, {
       "aria-pressed": String(program.name === chosen), class: program.fault ? "faulty" : "",
     })));
     const program = programs.find((one) => one.name === chosen);
@@ -96,22 +106,26 @@ export function mountPrograms({ store, connection, command, act, toasts }) {
   }
 
   let running = "";
-  store.on(["status"], ({ status }) => {
-    if (status && status.program !== running) {
-      running = status.program;
+  store.on(["status"], may);
+  store.on(["shown"], ({ shown }) => {
+    if (shown && shown.program !== running) {
+      running = shown.program;
       if (running && running !== chosen && store.now.programs.some((one) => one.name === running)) {
         chosen = running;
         draw();
       }
     }
     light();
-    may();
   });
   store.on(COMMANDING, may);
 
   function light() {
-    const { status } = store.now;
-    const next = status && status.program === chosen && status.line ? source.children[status.line - 1] : null;
+    const { shown } = store.now;
+    const own = shown && shown.program === chosen && shown.line ? shown : null;
+    const line = own && source.children[own.line - 1];
+    const same = own && (isLive() || plain(line?.textContent ?? "").includes(plain(own.text))); // it may be another program there
+    write(other, own && !isLive() && !same ? `In the picture line ${own.line} of ${chosen} is: ${own.text}` : "");
+    const next = same ? line : null;
     const before = source.querySelector(".lit");
     if (next === before) return;
     before?.classList.remove("lit");
@@ -132,4 +146,9 @@ export function mountPrograms({ store, connection, command, act, toasts }) {
     allow(proceed, why || (mode === "stopped" ? "" : "No program is stopped."));
     for (const one of [save, file]) allow(one, why);
   }
+}
+
+/** Return a line without what does not count. @param {string} line */
+function plain(line) {
+  return line.trim().replace(/\s+/g, " ").toUpperCase();
 }

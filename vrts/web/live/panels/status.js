@@ -1,8 +1,7 @@
 // Joints, X Y Z O A T, time, hand, frame rate, and the line at work.
 
-import { RUNNING, STOPPING } from "../frame.js";
+import { RUNNING, STOPPING, onIn } from "../frame.js";
 import { byId, figure, make, write } from "../dom.js";
-import { isLive, onThen } from "../looking.js";
 
 const DEG = 180 / Math.PI;
 const SECOND = 1000; // [ms]
@@ -23,16 +22,12 @@ export function mountStatus({ store, world }) {
   }));
   const set = (/** @type {string} */ name, /** @type {string} */ text) => write(/** @type {HTMLElement} */ (cells.get(name)), text);
 
-  store.on(["status", "alive"], ({ status }) => isLive() && status && show(status));
-  onThen((then) => {
-    const { status } = store.now;
-    if (status) show(then ? { ...status, ...then, mark: null } : status);
-  });
+  store.on(["shown"], ({ shown }) => shown && show(shown));
 
-  /** @param {import("../protocol.js").Status} status */
+  /** @param {import("../past/shown.js").Shown} status */
   function show(status) {
     status.location.forEach((value, index) => set(NAMES[6 + index], figure(value, index < 3 ? 1 : 2)));
-    set("Speed", `${figure(status.speed, 0)} %`);
+    set("Speed", status.speed === null ? "–" : `${figure(status.speed, 0)} %`);
     set("Contacts", String(status.contacts));
     set("Mark", status.mark === null || status.mark === undefined ? "–" : `${figure(status.mark, 1)} / ${status.total}`);
     write(byId("mode"), status.mode);
@@ -46,7 +41,7 @@ export function mountStatus({ store, world }) {
     for (let joint = 0; joint < 6; joint++) set(NAMES[joint], figure(state.q[joint] * DEG, 2));
     set("Time", `${figure(state.t, 1)} s`);
     set("Hand", figure(state.q[6] * 1000, 1));
-    const on = Array.from({ length: 32 }, (_, bit) => bit).filter((bit) => (outputs >>> bit) & 1).map((bit) => bit + 1);
+    const on = onIn(outputs);
     set("Outputs", on.length ? on.join(" ") : "none");
     document.body.classList.toggle("stopping", Boolean(flags & STOPPING));
     document.body.classList.toggle("runs", Boolean(flags & RUNNING));

@@ -4,12 +4,15 @@ import { components, poseFrom } from "../../viewer/poses.js";
 import { byId, figure, make, prose, write } from "../dom.js";
 import { missing } from "../goal_distance.js";
 import { colorOf, Goals } from "../goals.js";
-import { look } from "../looking.js";
+import { settle } from "../focus.js";
+import { isLive, look, onLive } from "../looking.js";
+import { ofNow } from "../past/shown.js";
 import { onSelect, select, selected } from "../selection.js";
 import { Signs } from "../signs.js";
 
 const PAUSE = 200; // between figures that change with the picture [ms]
 const SHOWN = { names: "vrts names", goals: "vrts goals" }; // where it is remembered what is drawn
+const UNKNOWN = "not known of this moment";
 const PHONE = window.matchMedia("(max-width: 700px) and (orientation: portrait)");
 const chosenBefore = sessionStorage.getItem("vrts panel"); // of this tab of the browser, before any panel is shown
 
@@ -26,7 +29,7 @@ export function mountTask(app) {
   const mark = make("p", { class: "task-mark", id: "task-mark", role: "status", "aria-label": "Mark by the public checks" });
   const points = make("b");
   const total = make("span");
-  mark.append(points, total);
+  mark.append(ofNow(), points, total);
   const text = make("p", { class: "task-text", tabindex: "0", role: "region", "aria-label": "What is asked for" });
   const goals = make("ul", { class: "goal-list", id: "goal-list" });
   const losses = make("tbody");
@@ -34,7 +37,7 @@ export function mountTask(app) {
   const lostBox = make("div", { class: "lost-box", id: "lost", tabindex: "0", role: "region", "aria-label": "Points lost so far" },
     make("table", { class: "lost-list", "aria-label": "Points lost, costliest first" }, losses), nothing);
   const rules = make("ul", { class: "rule-list" });
-  const asked = make("div", {}, make("div", { class: "task-head" }, head, mark), text, goals, make("h2", { text: "Points lost so far" }), lostBox,
+  const asked = make("div", {}, make("div", { class: "task-head" }, head, mark), text, goals, make("h2", {}, "Points lost so far ", ofNow()), lostBox,
     make("details", { open: true, class: "other-rules" }, make("summary", { text: "What else counts" }), rules));
   const things = make("ul", { class: "thing-list", id: "thing-list" });
   const facts = make("div", { class: "thing-facts", role: "region", "aria-label": "What is selected" });
@@ -61,6 +64,7 @@ export function mountTask(app) {
   });
   world.sceneWatchers.push(draw);
   store.on(["marked", "status"], tell);
+  onLive(tell);
   onSelect((name) => {
     drawn?.choose(name);
     for (const button of panel.querySelectorAll("button[data-body]")) button.setAttribute("aria-pressed", String(name !== "" && button.dataset.body === name));
@@ -120,7 +124,7 @@ export function mountTask(app) {
     drawn?.choose(selected());
     names.list(viewer, drawn?.names ?? []);
     for (const swatch of /** @type {NodeListOf<HTMLElement>} */ (panel.querySelectorAll(".swatch[data-color]"))) paint(swatch, swatch.dataset.color ?? "");
-    things.replaceChildren(...viewer.data.bodies.filter(({ kind }) => kind !== "floor").map(({ name }) => {
+    settle(things, viewer.data.bodies.filter(({ kind }) => kind !== "floor").map(({ name }) => {
       const swatch = make("span", { class: "swatch" });
       paint(swatch, name);
       return make("li", {}, make("button", { type: "button", "data-body": name, "aria-pressed": String(name === selected()), click: () => toggle(name) }, swatch, name));
@@ -144,16 +148,16 @@ export function mountTask(app) {
     const key = JSON.stringify(lost);
     if (lostBox.dataset.key !== key) {
       lostBox.dataset.key = key;
-      losses.replaceChildren(...lost.map(({ points, text: why, at_s: at, kind }) => make("tr", { class: kind },
+      settle(losses, lost.map(({ points, text: why, at_s: at, kind }) => make("tr", { class: kind },
         make("td", { class: "points", text: points }), make("td", { class: "why" }, ...prose(why)), make("td", { class: "when" }, ...moment(at)))));
     }
     const parts = new Map((known ? marked.parts : []).map((part) => [part.check, part]));
     for (const { earned, check } of rows) {
       const part = parts.get(check);
-      write(earned, part ? `${part.points} of ${part.most}` : "");
+      write(earned, part ? `${isLive() ? "" : "now "}${part.points} of ${part.most}` : "");
       earned.classList.toggle("whole", part?.answer === "holds");
     }
-    drawn?.pass(new Set([...parts.values()].filter(({ answer }) => answer === "holds").map(({ check }) => check)));
+    drawn?.pass(new Set([...parts.values()].filter(({ answer }) => answer === "holds" && isLive()).map(({ check }) => check)));
     figures();
   }
 
@@ -201,6 +205,7 @@ export function mountTask(app) {
    */
   function told(goal, poseOf, held, only) {
     if (goal.kind !== "goal") {
+      if (!isLive()) return [UNKNOWN, false];
       const part = store.now.marked?.parts.find(({ check }) => check === goal.check);
       return part ? [part.text || "so it is", part.answer === "holds"] : ["", false];
     }
@@ -217,6 +222,7 @@ export function mountTask(app) {
 
   /** @param {string} check of a via point @returns {[string, boolean]} */
   function passed(check) {
+    if (!isLive()) return [UNKNOWN, false];
     const part = store.now.marked?.parts.find((one) => one.check === check);
     return part ? [part.answer === "holds" ? "passed" : part.text || "not passed yet", part.answer === "holds"] : ["", false];
   }
@@ -230,7 +236,7 @@ function toggle(name) {
 /** Return the way to a moment. @param {number | null} at_s */
 function moment(at_s) {
   if (at_s === null) return [];
-  return [make("button", { type: "button", text: `${figure(at_s, 1)} s`, "aria-label": `Look at second ${figure(at_s, 1)}`, click: () => look(at_s) })];
+  return [make("button", { type: "button", text: `${figure(at_s, 1)} s`, "aria-label": `${figure(at_s, 1)} s: look at this moment`, click: () => look(at_s) })];
 }
 
 /** @param {string} key */

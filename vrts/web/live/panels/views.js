@@ -1,6 +1,7 @@
 // Preset view points and the camera's buttons.
 
-import { byId } from "../dom.js";
+import { MOVES } from "../camera.js";
+import { beside, byId, button, make } from "../dom.js";
 
 /**
  * @param {import("../pages/room.js").App} app
@@ -15,6 +16,7 @@ export function mountViews({ world }, kept = null) {
     if (turn) world.viewer.turn(-0.3 * Number(turn));
     if (zoom) world.viewer.zoom(Number(zoom));
   });
+  byId("views").after(...menu(world));
   if (kept) world.beginning = kept.look;
   world.lookWatchers.push((name, chosen) => {
     show(name);
@@ -32,4 +34,19 @@ export function mountViews({ world }, kept = null) {
       button.setAttribute("aria-pressed", String(/** @type {HTMLElement} */ (button).dataset.look === name));
     }
   }
+}
+
+/**
+ * Return a button and what it opens: all that dragging in the picture does, and the view points that a narrow bar leaves out.
+ * @param {import("../world.js").World} world
+ */
+function menu(world) {
+  const opener = make("button", { type: "button", id: "camera-button", popovertarget: "camera", title: "Turn, tilt and shift the picture without dragging" }, "Camera");
+  const moves = Object.entries(MOVES).map(([title, keys]) => make("div", { class: "moves", role: "group", "aria-label": title }, make("span", { "aria-hidden": "true", text: title }),
+    ...Object.entries(keys).map(([key, [sign, text, move]]) => button(sign, () => world.viewer && move(world.viewer), { "data-move": key, "aria-label": text, title: `${text} (${key.replace(" ", "+")} in the picture)` }))));
+  const looks = ["front", "side"].map((name) => button(name === "front" ? "Front" : "Side", () => world.look(name)));
+  const box = make("div", { class: "menu camera", id: "camera", popover: "", role: "dialog", "aria-label": "Camera" },
+    ...moves, make("div", { class: "row only-narrow" }, ...looks));
+  beside(opener, box);
+  return [opener, box];
 }

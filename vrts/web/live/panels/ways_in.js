@@ -1,6 +1,7 @@
 // The supervisor's list of ways in: the class code and links, who came by them, and their end.
 
 import { button, make, write } from "../dom.js";
+import { settle } from "../focus.js";
 
 const MINUTE = 60_000; // [ms]
 
@@ -34,11 +35,9 @@ export function waysIn(store, toasts, entrance) {
   /** @param {Ways} ways */
   function show(ways) {
     fresh.hidden = Boolean(ways.code);
-    const focused = document.activeElement?.getAttribute("data-do");
-    list.replaceChildren(...ways.ways.map((way) => row(way, ways)));
-    if (focused) /** @type {HTMLElement | null} */ (list.querySelector(`[data-do="${CSS.escape(focused)}"]`))?.focus();
+    settle(list, ways.ways.map((way) => row(way, ways)));
     write(counts, `${entries(ways.hour)} in the last hour, ${ways.day} in a day. Guests: ${ways.guests}; ${ways.unused} never came into a room, ${ways.idle} were not here for a week.`);
-    from.replaceChildren(...ways.most.map(({ address, hour, day }) => make("li", { text: `${address}: ${entries(hour)} in the last hour, ${day} in a day` })));
+    settle(from, ways.most.map(({ address, hour, day }) => make("li", { text: `${address}: ${entries(hour)} in the last hour, ${day} in a day` })));
   }
 
   /** @param {Way} way @param {Ways} ways */

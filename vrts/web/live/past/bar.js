@@ -1,6 +1,7 @@
 // The time line under the picture: a slider over the past, jumps, play, and the way back to live.
 
-import { make, write } from "../dom.js";
+import { beside, make, write } from "../dom.js";
+import { enable } from "../focus.js";
 import { JUMPS } from "./marks.js";
 
 const MOST_DRAWN = 240; // marks
@@ -9,6 +10,7 @@ const SPANS = /** @type {[string, string][]} */ ([["60", "1 min"], ["600", "10 m
 const SPEEDS = /** @type {[string, string][]} */ ([["0.25", "¼×"], ["0.5", "½×"], ["1", "1×"], ["2", "2×"], ["4", "4×"]]);
 const ICONS = {
   before: "M3 3h2v10H3zM13 3v10L6 8z", after: "M11 3h2v10h-2zM3 3v10l7-5z", play: "M4 2.5v11L13 8z", pause: "M4 3h3v10H4zM9 3h3v10H9z",
+  menu: "M7 2h2v2.6H7zM7 6.7h2v2.6H7zM7 11.4h2V14H7z",
 };
 
 /** @typedef {{seek: (t: number) => void, live: () => void, jump: (direction: 1 | -1) => void, play: () => void, branch: () => void, redraw: () => void}} Wishes */
@@ -53,15 +55,21 @@ export class Bar {
       ...SPANS.map(([value, text]) => make("option", { value, text, selected: value === "600" })));
     this.speeds = make("select", { id: "past-speed", "aria-label": "Speed of the replay", title: "Speed of the replay" },
       ...SPEEDS.map(([value, text]) => make("option", { value, text, selected: value === "1" })));
-    this.branch = make("button", { type: "button", id: "past-branch", text: "Go on from here", title: "Go on from this moment in a room of your own", click: wishes.branch });
+    this.branches = ["past-branch", "past-branch-2"].map((id) => make("button", { type: "button", id, class: "past-branch", text: "Go on from here", title: "Go on from this moment in a room of your own", click: wishes.branch }));
     this.live = make("button", { type: "button", id: "past-live", class: "past-live", text: "Live", title: "Back to what is now (Alt+L)", "aria-label": "Back to live", click: wishes.live });
+    const named = (/** @type {string} */ text, /** @type {HTMLElement} */ what) => make("span", { class: "past-choice" }, make("span", { "aria-hidden": "true", text }), what);
+    const more = make("div", { class: "menu past-more", id: "past-more", popover: "", role: "group", "aria-label": "Choices of the time line" },
+      named("Jump to", this.jumps), named("Slider shows", this.spans), named("Speed", this.speeds), this.branches[1]);
+    const menu = make("button", { type: "button", id: "past-menu", class: "past-icon", popovertarget: more.id, title: "Choices of the time line", "aria-label": "Choices of the time line" });
+    menu.append(drawing(ICONS.menu));
+    beside(menu, more);
     place.classList.add("past");
     place.setAttribute("role", "group");
     place.setAttribute("aria-label", "Time line");
     place.replaceChildren(
       icon("before", "One before (comma)", () => wishes.jump(-1), "past-before"), this.playing, icon("after", "Next one (full stop)", () => wishes.jump(1), "past-after"),
       make("div", { class: "past-track" }, this.slider, this.lane, this.kept),
-      this.clock, make("span", { class: "past-more" }, this.jumps, this.spans, this.speeds), this.branch, this.live,
+      this.clock, menu, more, this.branches[0], this.live,
     );
     place.addEventListener("keydown", (event) => this.shortcut(/** @type {KeyboardEvent} */ (event)));
   }
@@ -115,7 +123,7 @@ export class Bar {
     write(this.hour, clock(t ?? now));
     write(this.ago, words);
     this.slider.setAttribute("aria-busy", String(loading));
-    this.live.disabled = this.branch.disabled = t === null;
+    for (const one of [this.live, ...this.branches]) enable(one, t !== null);
     write(this.kept, problem || `kept from ${clock(reaches)} on`);
     this.kept.hidden = !problem && (reaches === 0 || min > reaches);
     if (this.playing.dataset.shows !== String(playing)) {

@@ -118,9 +118,15 @@ export function mountPast({ store, world, toasts, connection }) {
       drawn = at;
       bar.mark(marks.between(bar.range.min, bar.range.max));
     }
-    if (t === null || !seen) return null;
+    if (t === null) return null;
+    if (!seen) return stands(); // until it is known how it was
     return { state: { ...seen.state, t }, outputs: seen.outputs, flags: (seen.running ? RUNNING : 0) | (seen.moving ? MOVING : 0) };
   };
+
+  /** Return what was shown last: not the present, when somebody looks at the past. */
+  function stands() {
+    return world.state && { state: world.state, outputs: world.outputs, flags: 0 };
+  }
 
   /** @param {number | null} t @param {boolean} here whether what was then is here */
   function show(t, here) {

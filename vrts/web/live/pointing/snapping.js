@@ -1,6 +1,7 @@
 // The pointer goes where the hand grips an object or sets one down: chosen from a list, or by a click on the object.
 
 import { button, choice, make } from "../dom.js";
+import { enable } from "../focus.js";
 import { along, pointerAt } from "../pointer_pose.js";
 import { onSelect } from "../selection.js";
 import { compose, poseFrom } from "../../viewer/poses.js";
@@ -47,7 +48,7 @@ export function mountSnapping({ store, world, pointer }) {
     const chosen = list.value;
     list.replaceChildren(...places.map((place) => make("option", { value: place.name, text: titled(place) })));
     if (places.some(({ name }) => name === chosen)) list.value = chosen;
-    for (const one of [list, at, above]) one.disabled = !places.length;
+    for (const one of [list, at, above]) enable(one, places.length > 0);
   });
   let told = false;
   onSelect((name) => {

@@ -9,6 +9,7 @@ import pytest
 from tests.unit.live.session.again.test_replay import eventful
 from tests.unit.live.session.looking.played import coordinates, in_force
 from tests.unit.live.session.support import Driven
+from vrts.live import actions as do
 from vrts.live.session.channel.messages import BLOCK
 from vrts.live.session.looking.block import STOPPED, block
 from vrts.live.session.views.frame import output_bits
@@ -56,6 +57,18 @@ def test_a_block_gives_back_arm_hand_bodies_outputs_and_line(tmp_path: Path) -> 
     assert [text for text in texts if "starts" in text] == ["program wave starts"]
     assert any("grasped" in text for text in texts)
     assert [row["t"] for row in found["marks"]] == sorted(row["t"] for row in found["marks"])
+
+
+def test_a_program_that_is_over_no_longer_runs(tmp_path: Path) -> None:
+    driven = Driven(tmp_path)
+    text = '.PROGRAM wave\nMOVE #PPOINT(10,-90,90,0,0,0)\nTYPE "done"\n.END\n'
+    driven.act(do.Upload("wave.v2", text))
+    driven.run(0.05)
+    driven.typed("EXECUTE wave", seconds=10.0)
+    found = plain(block(driven.session.run, 0, 0.0))
+    over = next(row["t"] for row in found["marks"] if row["text"].startswith("program over"))
+    assert in_force(found["lines"], over - 1e-3)[2]
+    assert not in_force(found["lines"], over + 1e-3)[2]
 
 
 def test_a_block_that_nothing_happens_in_has_one_row_of_each(tmp_path: Path) -> None:
