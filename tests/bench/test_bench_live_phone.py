@@ -28,12 +28,13 @@ from tests.browser.first_picture import (
     told,
 )
 from tests.browser.support import CHROMIUM, FLAGS
-from tests.browser.support_sessions import Desk, supervisor
+from tests.browser.support_sessions import supervisor
 from tests.support_live import LiveServer
 
 TIMES = 5
 ASKED_S = 1.5
 MOST_BYTES = 50_000  # of a phone's first picture
+SETTLES_MS = 1500
 ROUNDS = 2  # the page, and what it names
 WAITS = """new Promise((done) => {
   const alive = () => window.vrts?.world?.state;
@@ -71,14 +72,15 @@ def browser() -> Iterator[Browser]:
 
 
 @pytest.fixture(scope="module")
-def lead(server: LiveServer, browser: Browser) -> Iterator[Desk]:
-    """A supervisor, who has moved the arm to where it was not at the beginning."""
+def lead(server: LiveServer, browser: Browser) -> list[Any]:
+    """The cookies of a supervisor, who has moved the arm to where it was not at the beginning."""
     desk = supervisor(browser, server)
     desk.page.click("#control-button")
     desk.until("document.body.classList.contains('operates')")
     desk.ask("DO DRIVE 1,40,100")
-    yield desk
-    desk.context.close()
+    cookies: list[Any] = list(desk.context.cookies())
+    desk.context.close()  # who is measured has the machine alone
+    return cookies
 
 
 @pytest.mark.parametrize(
@@ -87,9 +89,9 @@ def lead(server: LiveServer, browser: Browser) -> Iterator[Desk]:
     ids=lambda what: what.name if isinstance(what, Profile) else what,
 )
 def test_from_the_address_to_the_arm(
-    server: LiveServer, browser: Browser, lead: Desk, profile: Profile, path: str
+    server: LiveServer, browser: Browser, lead: list[Any], profile: Profile, path: str
 ) -> None:
-    cookies: list[Any] = lead.context.cookies()
+    cookies = lead
     if "projector" not in path:
         guest = server.enter("guest")
         pairs = (one.split("=", 1) for one in guest.split("; "))
@@ -134,7 +136,7 @@ def _load(
     worked = _worked(session)
     sent = {_name(server, url): int(size) for url, size, *_ in page.evaluate(BYTES)}
     told(session, "Emulation.setCPUThrottlingRate", rate=1)
-    _settle(page, screen)
+    _settle(page)
     screen.stop()
     began = float(page.evaluate("performance.timeOrigin / 1000"))
     when, _ = first_with_arm(page, screen.frames)
@@ -171,13 +173,10 @@ def _page(browser: Browser, profile: Profile, cookies: list[Any]) -> Page:
     return context.new_page()
 
 
-def _settle(page: Page, screen: Screen) -> None:
-    """Wait until the arm's picture is the one that stays."""
+def _settle(page: Page) -> None:
+    """Wait until the arm's picture is the one that stays, and has been handed out."""
     page.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
-    seen = -1
-    while seen != len(screen.frames):  # whatever is still on its way to the screen
-        seen = len(screen.frames)
-        page.wait_for_timeout(500)
+    page.wait_for_timeout(SETTLES_MS)  # the page's clock goes on, so frames never end
 
 
 def _worked(session: Any) -> float:
