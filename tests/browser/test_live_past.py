@@ -97,6 +97,7 @@ def test_one_looks_back_and_goes_on_from_there_while_the_session_goes_on(
     focus(anna)
     anna.page.keyboard.press("PageDown")
     anna.until(LOOKS_BACK)
+    anna.until("!document.getElementById('past-live').disabled")  # at the next picture
     anna.page.press("#past-live", "Enter")
     anna.until(LIVE)
     assert anna.value("document.activeElement.id") == "past-live", "the keyboard stays where it was"
