@@ -3250,7 +3250,9 @@ PATCHES: tuple[Patch, ...] = (
         "vrts/live/lasting/folder_lock.py",
         "fcntl.LOCK_EX | fcntl.LOCK_NB",
         "fcntl.LOCK_SH | fcntl.LOCK_NB",
-        ("tests/unit/live/front/test_cannot_serve.py::test_a_second_server_in_a_folder_is_refused",),
+        (
+            "tests/unit/live/front/test_cannot_serve.py::test_a_second_server_in_a_folder_is_refused",
+        ),
     ),
     Patch(
         "commands are acknowledged that the disk has not taken",

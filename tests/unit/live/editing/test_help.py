@@ -153,7 +153,7 @@ def test_a_person_has_one_language_server_at_a_time(server: LiveServer) -> None:
 
 
 def test_seats_are_few_and_begun_seldom(tmp_path: Path) -> None:
-    seats = Seats(tmp_path / "editing", most=2)
+    seats: Seats[int] = Seats(tmp_path / "editing", most=2)
     first, second = seats.take(1), seats.take(2)
     assert first is not None
     assert second is not None
@@ -174,7 +174,7 @@ def test_seats_are_few_and_begun_seldom(tmp_path: Path) -> None:
 
 
 def test_who_finds_no_seat_gets_the_one_that_is_quiet_for_longest(tmp_path: Path) -> None:
-    seats = Seats(tmp_path / "editing", most=2)
+    seats: Seats[int] = Seats(tmp_path / "editing", most=2)
     first, second = seats.take(1), seats.take(2)
     assert first is not None
     assert second is not None
