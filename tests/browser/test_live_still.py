@@ -37,7 +37,13 @@ def cookie(server: LiveServer) -> str:
 
 
 def held_back(
-    browser: Browser, server: LiveServer, cookie: str, size: tuple[int, int], *, dark: bool
+    browser: Browser,
+    server: LiveServer,
+    cookie: str,
+    size: tuple[int, int],
+    *,
+    path: str,
+    dark: bool,
 ) -> tuple[Desk, Callable[[], None]]:
     """Open the room while all that is not needed for the first picture stays on its way."""
     context = browser.new_context(
@@ -54,7 +60,7 @@ def held_back(
         context.add_cookies([{"name": name, "value": value, "url": f"http://{server.host}"}])
     waiting: list[Route] = []
     view.page.route("**/web/live/main.js", lambda route: waiting.append(route))
-    view.page.goto(f"http://{server.host}/", wait_until="commit")
+    view.page.goto(f"http://{server.host}{path}", wait_until="commit")
 
     def go_on() -> None:
         for route in waiting:
@@ -65,23 +71,30 @@ def held_back(
 
 
 @pytest.mark.parametrize(
-    ("size", "dark"),
+    ("size", "path", "dark"),
     [
-        ((390, 844), False),
-        pytest.param((1366, 768), True, marks=pytest.mark.thorough),
+        ((390, 844), "/", False),
+        pytest.param((1366, 768), "/", True, marks=pytest.mark.thorough),
+        pytest.param((1366, 768), "/?projector", False, marks=pytest.mark.thorough),
     ],
 )
 def test_the_3d_view_takes_over_from_a_still_without_a_jump(
-    browser: Browser, server: LiveServer, cookie: str, size: tuple[int, int], dark: bool
+    browser: Browser,
+    server: LiveServer,
+    cookie: str,
+    size: tuple[int, int],
+    path: str,
+    dark: bool,
 ) -> None:
-    view, go_on = held_back(browser, server, cookie, size, dark=dark)
+    view, go_on = held_back(browser, server, cookie, size, path=path, dark=dark)
     view.until(f"Boolean({STILL})")
     box, still = view.value(f"({BOX})()"), pixels(view.page)
-    assert view.page.locator("#control-button").is_visible() is False, "it does not work yet"
+    assert view.page.locator("#settings-button").is_visible() is False, "it does not work yet"
     go_on()
     view.until(SHOWN)
-    view.until(f"{STILL} === null && !document.body.className")
-    assert view.page.locator("#control-button").is_visible()
+    gone = "['early', 'unready'].every((name) => !document.body.classList.contains(name))"
+    view.until(f"{STILL} === null && {gone}")
+    assert view.page.locator("#settings-button").is_visible()
     assert view.value(f"({BOX})()") == pytest.approx(box, abs=0.5), "nothing moves"
     view.page.evaluate(BARE)
     with_arm = pixels(view.page)

@@ -10,6 +10,7 @@ export const LIMITS = {
   deskHigh: { least: 120, most: 1_200, first: 0 }, // height of the panels below the picture; 0: by the window [px]
   terminal: { least: 64, most: 900, first: 96 }, // height of the monitor [px]
 };
+export const PROJECTED = "table"; // view point of the projector at first, whatever is kept
 export const LOOKS = ["overview", "table", "front", "side", "top", "hand"];
 
 /**

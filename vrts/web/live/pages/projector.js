@@ -2,6 +2,7 @@
 
 import { byId, make, write } from "../dom.js";
 import { barOf, mountNotices } from "../notices.js";
+import { PROJECTED } from "../layout/kept.js";
 import { mountOverlay } from "../panels/overlay.js";
 import { mountSettings } from "../panels/settings.js";
 import { mountStatus } from "../panels/status.js";
@@ -22,7 +23,7 @@ export function showProjector(me) {
   mountOverlay(app);
   mountStatus(app);
   mountSettings(app);
-  mountViews(app, { look: "table", keepLook: () => undefined });
+  mountViews(app, { look: PROJECTED, keepLook: () => undefined });
   const title = byId("room-name");
   const operator = byId("turn");
   byId("control-button").hidden = byId("panic").hidden = true;

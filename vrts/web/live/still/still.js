@@ -1,6 +1,6 @@
 // The first picture: the arm as the page brought it, until the 3D view has drawn it.
 
-import { keptLayout } from "../layout/kept.js";
+import { PROJECTED, keptLayout } from "../layout/kept.js";
 import { theme } from "../themes.js";
 import { carried } from "./carried.js";
 import { drawn } from "./drawing.js";
@@ -28,7 +28,7 @@ export function showStill() {
   canvas.className = "still";
   canvas.setAttribute("aria-hidden", "true");
   view.prepend(canvas);
-  const draw = () => drawOn(canvas, still, projector ? "overview" : layout.look);
+  const draw = () => drawOn(canvas, still, projector ? PROJECTED : layout.look);
   const watch = new ResizeObserver(draw);
   draw();
   watch.observe(view);
