@@ -30,6 +30,11 @@ PROGRAM: Final = """\
 """
 
 
+def program(number: int) -> str:
+    """Return a program that turns the arm, there in one hour and back in the next one."""
+    return PROGRAM.format(angle=10 if number // 100 % 2 else -10, number=number)
+
+
 @dataclass(slots=True)
 class Ledger:
     """What was acknowledged."""
@@ -91,7 +96,7 @@ class Stay:
 
     def keep_program(self, number: int, shelf: str, name: str) -> None:
         """Keep a program as a new version, after the newest one."""
-        text = PROGRAM.format(angle=number % 20 - 10, number=number)
+        text = program(number)
         where = f"/programs/versions?room={self.room}&shelf={shelf}&name={quote(name)}"
         versions: Any = self.server.request("GET", where, cookie=self.cookie).json
         seen = versions[0]["number"] if versions else 0
@@ -150,7 +155,7 @@ class Stay:
 
     def begin_program(self, number: int) -> None:
         """Load a program and have the arm move by it; it says so at its end."""
-        text = PROGRAM.format(angle=number % 20 - 10, number=number)
+        text = program(number)
         self.browser.answer(self.browser.command(self.lease, "upload", name="turn.v2", text=text))
         self.forget()
         self.type("EXECUTE turn")
