@@ -30,6 +30,8 @@ SCENES: Final = ("cans-on-bases", "examples/02-dish-on-stand", "examples/03-arou
 PASSWORD: Final = "a long one for a term"
 OLDER: Final = "this is an older state of the database"  # which every copy is, a moment later
 AT_ONCE: Final = 5  # sessions that die together
+# what may wait for the disk, two that compare passwords, the database's and the server's own
+THREADS: Final = min(32, (os.cpu_count() or 1) + 4) + 2 + 2
 
 
 class Plan(NamedTuple):
@@ -338,9 +340,12 @@ class Term:
 
     def _look(self) -> None:
         here = len(self.desks) + 1
-        while self.server.request("GET", "/health").json["people"] != here:
-            time.sleep(0.1)
         own = psutil.Process(self.server.process.pid)
+        while (
+            self.server.request("GET", "/health").json["people"] != here
+            or len(own.net_connections()) != here + 1  # and the one that listens
+        ):
+            time.sleep(0.1)
         rooms = sessions_of(self.server)
         sessions = [rooms[desk.room].memory_info().rss for desk in self.desks]
         kept = sum(file.stat().st_size for file in self.folder.glob(f"{DATABASE}*"))
