@@ -1,7 +1,6 @@
 """One WebSocket of a rehearsal: questions of a browser in, answers of its process out."""
 
 import asyncio
-import time
 from collections import deque
 from collections.abc import Awaitable, Callable, Coroutine
 from typing import Any, Final, NamedTuple
@@ -10,6 +9,7 @@ import msgspec
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from vrts.live.editing.seats import Seat
+from vrts.live.lasting.clock import steady
 from vrts.live.limits import Bucket
 from vrts.live.refusal import NotObeyed
 from vrts.live.rehearsing.asked import Asked, Begin, Rehearse, Stop, as_json, asked
@@ -77,7 +77,7 @@ class _Talk:
         self._answers: asyncio.Task[None] | None = None
         self._waiting: deque[float] = deque()  # questions that are not answered: since when [s]
         self._of = 0  # number of the rehearsal
-        self._heard_s = time.monotonic()
+        self._heard_s = steady()
         self._one_at_a_time = asyncio.Lock()  # who begins or ends the process
 
     async def go_on(self) -> None:
@@ -114,7 +114,7 @@ class _Talk:
             event: dict[str, Any] = dict(await self._websocket.receive())
             if event["type"] == "websocket.disconnect":
                 return None
-            self._heard_s = now = time.monotonic()
+            self._heard_s = now = steady()
             if self._seat is not None:
                 self._seat.heard_s = now
             if not bucket.take(now):
@@ -144,12 +144,12 @@ class _Talk:
                 elif len(self._waiting) >= MOST_ASKED or process.behind:
                     await self._tell(Refused(message.id, BUSY))
                 else:
-                    self._waiting.append(time.monotonic())
+                    self._waiting.append(steady())
                     process.ask(message)
 
     async def _rehearse(self, order: Rehearse) -> None:
         """Have a text run, in the process that there is or in a new one."""
-        if self._waiting and time.monotonic() - self._waiting[0] > ENOUGH_S:
+        if self._waiting and steady() - self._waiting[0] > ENOUGH_S:
             await self.end()  # what it still works at is of no use to anybody
         elif len(self._waiting) >= MOST_ASKED:
             await self._tell(Refused(order.id, BUSY))
@@ -173,7 +173,7 @@ class _Talk:
                 return
             hearing = self._hear(self._process)
             self._answers = asyncio.get_running_loop().create_task(hearing)
-        self._waiting.append(time.monotonic())
+        self._waiting.append(steady())
         self._process.ask(begin)
 
     # --- out ----------------------------------------------------------------------------------
@@ -195,7 +195,7 @@ class _Talk:
             try:
                 await asyncio.wait_for(self._elsewhere.wait(), LOOK_S)
             except TimeoutError:
-                now = time.monotonic()
+                now = steady()
             else:
                 break
             if (why := await self._offered.still()) is not None:
