@@ -14,7 +14,7 @@ from pathlib import Path
 from tests.bench.test_bench_live_session import LOOP
 from tests.unit.live.session.support import Driven
 from vrts.live import actions as do
-from vrts.live.session.channel.messages import BEAT, BLOCK, AskBlock, Looked
+from vrts.live.session.channel.messages import BEAT, BLOCK, AskBlock, Left, Looked
 from vrts.live.session.growing.tidying import Tidying
 from vrts.live.session.looking.looker import MOST_WAITING, Looker
 
@@ -35,12 +35,17 @@ ENDLESS = (
 def measured(driven: Driven, people: int) -> tuple[list[float], list[Looked], float]:
     """Beat by the real clock; return how late each beat ended [s], the answers, and their time."""
     answers: list[Looked] = []
+
+    def take(told: Looked | Left) -> None:
+        assert isinstance(told, Looked), told
+        answers.append(told)
+
     asked, chance = 0, random.Random(3)
     late: list[float] = []
     tidying = Tidying()
     base = driven.clock_s - time.monotonic()
     begun = time.process_time()
-    with closing(Looker(driven.session, answers.append)) as looker:
+    with closing(Looker(driven.session, take)) as looker:
         due = time.monotonic()
         end = due + SECONDS
         while due < end:

@@ -283,8 +283,11 @@ def test_a_supervisor_mutes_broadcasts_reads_logs_and_sends_away(
 HEARD = """Promise.all(['intake', 'store'].map((name) => import(`/web/live/${name}.js`)))
 .then(([{ Intake }, { Store }]) => {
   let jumps = 0;
+  let lefts = 0;
   const store = new Store();
-  const heard = { refused() {}, jumped: () => { jumps += 1; }, now: () => 9 };
+  const heard = {
+    refused() {}, jumped: () => { jumps += 1; }, left: () => { lefts += 1; }, now: () => 9,
+  };
   const intake = new Intake(store, { reset() {}, add() {} }, heard);
   const at = (time_s) => ({ status: { time_s }, bodies: [], programs: ['wave'], output: 'hello' });
   const came = (id, session, state) => {
@@ -294,9 +297,9 @@ HEARD = """Promise.all(['intake', 'store'].map((name) => import(`/web/live/${nam
   };
   const states = [['a', 1, at(10)], ['a', 1, at(10)], ['a', 1, at(5)], ['b', 1, at(10)]];
   const seen = [...states, ['c', 1, null]].map((one) => came(...one));
-  return [...seen, store.now.output, store.now.programs.length];
+  return [...seen, lefts, store.now.output, store.now.programs.length];
 })"""
 
 
 def test_a_past_undone_and_what_another_room_showed_are_forgotten(viewer: Desk) -> None:
-    assert viewer.value(HEARD) == [1, 1, 2, 3, 4, "", 0]
+    assert viewer.value(HEARD) == [1, 1, 2, 3, 4, 2, "", 0]

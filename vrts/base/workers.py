@@ -28,7 +28,7 @@ AHEAD: Final = 4  # things for each worker that may be answered before the first
 NUMBER: Final = 8  # bytes of a number between processes
 FAILED: Final = 70  # exit status
 _worker: list[int] = []  # in a worker: whose it is
-_END = (signal.SIGINT, signal.SIGTERM)
+END: Final = (signal.SIGINT, signal.SIGTERM)  # what asks a process to end
 _PR_SET_PDEATHSIG = 1  # [linux/prctl.h]
 
 
@@ -72,12 +72,12 @@ class Workers(NamedTuple):
         crew: list[_Worker] = []
         try:
             gc.freeze()  # what is in memory is shared: a worker does not look through it
-            with _undisturbed():  # what is started is known before anything can end this
+            with undisturbed():  # what is started is known before anything can end this
                 self._start(crew, jobs, ask, things)
             gc.unfreeze()
             yield from self._in_order(ask, things, crew)
         finally:
-            with _undisturbed():
+            with undisturbed():
                 for worker in crew:
                     worker.end()
 
@@ -142,7 +142,7 @@ class Beside(Generic[T, R]):
         if self._workers.jobs < 2 or not _may_fork():
             return False
         gc.freeze()
-        with _undisturbed():
+        with undisturbed():
             try:
                 self._worker = _Worker(self._ask, (self._thing,))
                 self._worker.give(0)
@@ -163,7 +163,7 @@ class Beside(Generic[T, R]):
 
     def end(self) -> None:
         """Leave nobody behind."""
-        with _undisturbed():
+        with undisturbed():
             if self._worker is not None:
                 self._worker.end()
             self._worker = None
@@ -254,7 +254,7 @@ def _be_worker(
         _worker.append(parent)
         signal.signal(signal.SIGINT, signal.SIG_IGN)
         signal.signal(signal.SIGTERM, signal.SIG_DFL)
-        signal.pthread_sigmask(signal.SIG_UNBLOCK, _END)
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, END)
         if end_with(parent):
             _work(ask, things, *ends)
         status = 0
@@ -300,9 +300,9 @@ def _may_fork() -> bool:
 
 
 @contextmanager
-def _undisturbed() -> Generator[None]:
+def undisturbed() -> Generator[None]:
     """Let what asks this process to end wait for a moment."""
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, _END)
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, END)
     try:
         yield
     finally:

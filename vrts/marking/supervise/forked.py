@@ -16,7 +16,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import NamedTuple, NoReturn
 
-from vrts.base.workers import end_with
+from vrts.base.workers import END, end_with
 from vrts.marking.supervise.limits import Limits, impose
 
 LOG = "child.log"
@@ -142,8 +142,9 @@ def _be_child(work: Callable[[], object], ends: Ends, limits: Limits, parent: in
         os.setsid()
         if not end_with(parent):
             os._exit(FAILED)
-        signal.signal(signal.SIGINT, signal.SIG_DFL)
-        signal.signal(signal.SIGTERM, signal.SIG_DFL)
+        for number in END:
+            signal.signal(number, signal.SIG_DFL)
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, END)
         impose(limits)
         faulthandler.enable(2)
         gc.set_threshold(_SELDOM)

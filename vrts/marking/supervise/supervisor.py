@@ -15,6 +15,7 @@ from typing import Generic, NamedTuple, TypeVar
 
 import psutil
 
+from vrts.base.workers import undisturbed
 from vrts.marking.supervise import forked, spawned
 from vrts.marking.supervise.forked import ForkedProcess
 from vrts.marking.supervise.limits import Limits
@@ -105,18 +106,15 @@ class Supervisor(Generic[Order]):
         self._number += 1
         folder = self._staging / str(self._number)
         folder.mkdir(parents=True)
-        inherited = 0
-        if self._fork:
-            inherited = _memory(self._own).private
-
-            def work() -> bytes:
-                return self._worker.work(order, folder)
-
-            process: Process = ForkedProcess(work, folder, self._limits)
-        else:
+        if not self._fork:
             command, data = self._worker.command(order, folder)
             process = SpawnedProcess(command, data, folder, self._limits)
-        self._running.append(_Running(order, process, folder, inherited))
+            self._running.append(_Running(order, process, folder, 0))
+            return
+        inherited = _memory(self._own).private
+        with undisturbed():  # who is asked to end meanwhile finds it among those under way
+            child = ForkedProcess(lambda: self._worker.work(order, folder), folder, self._limits)
+            self._running.append(_Running(order, child, folder, inherited))
 
     def _wait(self) -> None:
         if self._fork:

@@ -20,6 +20,13 @@ PEOPLE = {
     "Zoltán Kisfaludy_1235_assignsubmission_file_": ("kisfaludy.v2", "submissions/hits-base.v2"),
 }
 SECRETS = ("annegret", "bergmeister", "zolt", "kisfaludy", "1234", "1235", "laszlo")
+PACKED = re.compile("[A-Za-z0-9+/=]{200,}")  # data in letters, where four letters stand by chance
+
+
+def names_in(text: str) -> list[str]:
+    """Return the names that a text tells; numbers stand anywhere."""
+    said = PACKED.sub("", text).casefold()
+    return [secret for secret in SECRETS if secret in said and not secret.isdigit()]
 
 
 def call(*words: object) -> Result:
@@ -57,9 +64,8 @@ def test_no_name_is_anywhere_but_in_one_table(out: Path) -> None:
     for path in files:
         if path.name in (NAMES, KEY):
             continue
-        text = f"{path.relative_to(out)} {path.read_text('utf-8', errors='replace')}".casefold()
-        found = [secret for secret in SECRETS if secret in text and not secret.isdigit()]
-        assert not found, path
+        text = path.read_text("utf-8", errors="replace")
+        assert not names_in(f"{path.relative_to(out)} {text}"), path
     table = (out / "staff" / NAMES).read_text("utf-8-sig")
     assert table.startswith(f"{COLUMN},id,name,")
     assert "Bergmeister" in table
@@ -107,8 +113,7 @@ def test_evidence_is_found_by_name_and_has_none(out: Path, tmp_path: Path) -> No
         program = next(name for name in archive.namelist() if name.startswith("submission/"))
         assert archive.read(program) == (EXAMPLE / "solution.v2").read_bytes()
         for name in archive.namelist():
-            text = f"{name} {archive.read(name).decode('utf-8', 'replace')}".casefold()
-            assert not [s for s in SECRETS if s in text and not s.isdigit()], name
+            assert not names_in(f"{name} {archive.read(name).decode('utf-8', 'replace')}"), name
     assert call("grade", "reproduce", place).exit_code == 0
 
 

@@ -257,3 +257,33 @@ def _main() -> None:
 
 if __name__ == "__main__":
     _main()
+
+
+@pytest.mark.skipif(not CAN_FORK, reason="processes are started anew here")
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_who_is_interrupted_while_a_process_begins_leaves_none(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, number: int
+) -> None:
+    begun: list[int] = []
+    fork = os.fork
+
+    def interrupted() -> int:
+        pid = fork()
+        if pid:
+            begun.append(pid)
+            signal.raise_signal(number)
+        return pid
+
+    def end(number: int, frame: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(os, "fork", interrupted)
+    before = signal.signal(number, end)
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            list(Supervisor(Doer(), tmp_path / "staging", limits=LIMITS).run([Deed(1, "hang")]))
+    finally:
+        signal.signal(number, before)
+    assert len(begun) == 1
+    assert not psutil.pid_exists(begun[0])
+    assert not list((tmp_path / "staging").iterdir())
