@@ -142,7 +142,7 @@ class _Talk:
                 if process is None:
                     await self._tell(Refused(message.id, NONE))
                 elif len(self._waiting) >= MOST_ASKED or process.behind:
-                    await self._tell(Refused(message.id, BUSY))
+                    await self._tell(Refused(message.id, BUSY, busy=True))
                 else:
                     self._waiting.append(steady())
                     process.ask(message)

@@ -28,6 +28,7 @@ class Refused(_Told, frozen=True, tag="refused"):
     message: str
     problems: tuple[Problem, ...] = ()
     more: int = 0  # problems that are not told
+    busy: bool | msgspec.UnsetType = msgspec.UNSET  # this question alone: the rehearsal goes on
 
 
 class Place(msgspec.Struct, frozen=True):

@@ -6,6 +6,7 @@ import signal
 import sys
 import time
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 
 import msgspec
@@ -19,7 +20,7 @@ from vrts.live.protocol.fields import LONGEST_MESSAGE
 from vrts.live.rehearsing.asked import Rehearse, asked
 from vrts.live.rehearsing.offering import MOST, Rehearsals, Whose
 from vrts.live.rehearsing.process import DIED, TOO_LONG
-from vrts.live.rehearsing.talk import MOST_BAD, NONE, OVER, UNREAD
+from vrts.live.rehearsing.talk import BUSY, MOST_ASKED, MOST_BAD, NONE, OVER, UNREAD
 
 FEW = ".PROGRAM main()\n  TYPE 1\n.END\n"
 HOSTILE: dict[str, Json] = {
@@ -70,6 +71,13 @@ def in_use(server: LiveServer, count: int) -> list[int]:
     return [pid for pid, waits in found.items() if not waits]
 
 
+def signalled(server: LiveServer, sign: int) -> None:
+    """Signal all processes of rehearsals, the one that waits, too."""
+    for pid in processes(server):
+        with suppress(ProcessLookupError):
+            os.kill(pid, sign)
+
+
 @pytest.mark.thorough
 def test_a_text_is_rehearsed_and_nothing_moves_in_the_room(server: LiveServer) -> None:
     anna = Student(server, "Anna")
@@ -107,6 +115,8 @@ def test_a_text_is_rehearsed_and_nothing_moves_in_the_room(server: LiveServer) -
         lease = anna.browser.take_control()
         number = anna.browser.command(lease, "line", line="DO n = 5")
         assert anna.browser.answer(number)["type"] == "result"
+        anna.browser.command(lease, "line", line="DO TYPE n")  # when that was done, n is known
+        anna.browser.wait("event", lambda m: " 5\n" in m["event"].get("text", ""))
         now = page.rehearse(
             ".PROGRAM main()\n  TYPE n\n  DRIVE 1,20,100\n.END\n", **{"from": "now"}
         )
@@ -171,12 +181,28 @@ def test_a_process_that_is_killed_is_told_of_and_the_next_rehearsal_works(
         page = Page(socket)
         assert page.rehearse(FEW)["type"] == "ready"
         for sign, words in ((signal.SIGKILL, DIED), (signal.SIGXCPU, TOO_LONG)):
-            for pid in processes(server):
-                os.kill(pid, sign)  # the one that waits, too
+            signalled(server, sign)
             told = page.next()
             assert (told["type"], told["message"]) == ("ended", words)
             assert page.ask("go", what="run")["message"] == NONE
             assert page.rehearse(FEW)["type"] == "ready"
+
+
+@pytest.mark.thorough
+def test_a_question_too_many_is_refused_alone_and_the_rehearsal_goes_on(server: LiveServer) -> None:
+    ida = Student(server, "Ida")
+    with link(server, ida.cookie, ida.room) as socket:
+        page = Page(socket)
+        assert page.rehearse(FEW)["type"] == "ready"
+        signalled(server, signal.SIGSTOP)
+        for _ in range(MOST_ASKED + 1):
+            page.send("block", number=0)
+        told = page.next()
+        signalled(server, signal.SIGCONT)
+        assert (told["type"], told["message"], told["busy"]) == ("refused", BUSY, True)
+        assert [page.next()["type"] for _ in range(MOST_ASKED)] == ["block"] * MOST_ASKED
+        assert page.ask("go", what="end")["typed"] == [" 1"]
+        assert "busy" not in page.rehearse("MOVEE x")
 
 
 @pytest.mark.thorough
