@@ -117,6 +117,11 @@ def _limits() -> Iterator[tuple[str, str, str]]:
         f"its head within {patient.HEAD_S:.0f} s, all within {patient.ANSWER_S / 60:.0f} minutes",
         "the connection ends",
     )
+    yield (
+        "an answer",
+        f"some of it is taken every {patient.STALL_S:.0f} s",
+        "the connection ends",
+    )
     yield "frames of a connection", _rate(frames.FRAMES), "the connection ends"
     yield "messages of a page", _rate(limits.MESSAGES), "the rest is refused"
     yield (

@@ -11,6 +11,7 @@ from typing import NamedTuple
 import uvicorn
 
 from vrts.live.callers.patient import PatientProtocol
+from vrts.live.callers.pieces import InPieces
 from vrts.live.door import DoorProtocol
 from vrts.live.entrance.by_hand import supervisor_link, working_code
 from vrts.live.front.app import application
@@ -97,7 +98,7 @@ def _serve(
     if open_link is not None:
         open_link(f"{entrances.address}/#enter={entrances.supervisor}")
     config = uvicorn.Config(
-        app,
+        InPieces(app),
         http=PatientProtocol,
         ws=DoorProtocol,
         ws_max_size=LONGEST_MESSAGE,

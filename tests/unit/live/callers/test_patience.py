@@ -18,9 +18,12 @@ from tests.support_live import LiveServer
 from vrts.live.callers import patient
 from vrts.live.callers.frames import FRAMES
 from vrts.live.callers.patient import PatientProtocol
+from vrts.live.callers.pieces import InPieces
 from vrts.live.front import bodies
 
 HEAD = b"Host: x\r\nContent-Type: application/json\r\n"
+LONG = bytes(range(256)) * 120_000  # more than the buffers of a network hold
+GET_LONG = b"GET /long HTTP/1.1\r\n" + HEAD + b"\r\n"
 GET = b"GET / HTTP/1.1\r\n" + HEAD + b"\r\n"
 POST = b"POST / HTTP/1.1\r\n" + HEAD + b"Content-Length: 100\r\n\r\n{"
 PATIENCE = 20.0  # [s]
@@ -38,12 +41,19 @@ async def page(request: Request) -> Response:
     return body if isinstance(body, Response) else Response("taken")
 
 
+async def long(_: Request) -> Response:
+    return Response(LONG)
+
+
 @asynccontextmanager
-async def served() -> AsyncGenerator[int]:
+async def served(*, pieces: bool = False) -> AsyncGenerator[int]:
     """Serve a page; give the port."""
     listener = socket.create_server(("127.0.0.1", 0))
-    app = Starlette(routes=[Route("/", page, methods=["GET", "POST"])])
-    config = uvicorn.Config(app, http=PatientProtocol, lifespan="off", log_config=None)
+    routes = [Route("/", page, methods=["GET", "POST"]), Route("/long", long)]
+    app = Starlette(routes=routes)
+    config = uvicorn.Config(
+        InPieces(app) if pieces else app, http=PatientProtocol, lifespan="off", log_config=None
+    )
     server = uvicorn.Server(config)
     server.install_signal_handlers = lambda: None  # type: ignore[attr-defined]
     task = asyncio.create_task(server.serve(sockets=[listener]))
@@ -78,7 +88,7 @@ async def left(reader: asyncio.StreamReader) -> bytes:
 def test_who_never_ends_a_head_is_closed_and_who_asks_is_answered(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(patient, "HEAD_S", 0.2)
+    monkeypatch.setattr(patient, "HEAD_S", 2.0)
     monkeypatch.setattr(patient, "LOOK_S", 0.05)
 
     async def work() -> None:
@@ -93,7 +103,50 @@ def test_who_never_ends_a_head_is_closed_and_who_asks_is_answered(
     asyncio.run(work())
 
 
-def test_a_head_without_end_is_closed() -> None:
+@pytest.mark.parametrize("pieces", [False, True])
+def test_an_answer_may_take_long_as_long_as_it_is_taken(
+    monkeypatch: pytest.MonkeyPatch, *, pieces: bool
+) -> None:
+    monkeypatch.setattr(patient, "HEAD_S", 0.2)
+    monkeypatch.setattr(patient, "LOOK_S", 0.05)
+    monkeypatch.setattr(patient, "STALL_S", PATIENCE)
+    monkeypatch.setattr(patient, "MOST", 2)
+
+    async def work() -> None:
+        async with served(pieces=pieces) as port:
+            reader, _ = await said(port, GET_LONG)
+            head = await reader.readuntil(b"\r\n\r\n")
+            assert head.startswith(b"HTTP/1.1 200")
+            await asyncio.sleep(1.0)  # it is on its way meanwhile, and others come
+            for _ in range(3):
+                await said(port, b"")
+            await asyncio.sleep(0.2)
+            async with asyncio.timeout(PATIENCE):
+                assert await reader.readexactly(len(LONG)) == LONG
+
+    asyncio.run(work())
+
+
+@pytest.mark.parametrize("pieces", [False, True])
+def test_who_takes_nothing_of_an_answer_is_closed(
+    monkeypatch: pytest.MonkeyPatch, *, pieces: bool
+) -> None:
+    monkeypatch.setattr(patient, "STALL_S", 0.5)
+    monkeypatch.setattr(patient, "LOOK_S", 0.05)
+
+    async def work() -> None:
+        async with served(pieces=pieces) as port:
+            reader, _ = await said(port, GET_LONG)
+            await reader.readuntil(b"\r\n\r\n")
+            await asyncio.sleep(2.0)
+            assert len(await left(reader)) < len(LONG)
+
+    asyncio.run(work())
+
+
+def test_a_head_without_end_is_closed(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(patient, "HEAD_S", 1000.0)  # it is the length
+
     async def work() -> None:
         async with served() as port:
             reader, writer = await said(port, b"GET / HTTP/1.1\r\n")
