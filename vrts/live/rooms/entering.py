@@ -164,7 +164,7 @@ def _end_one(hub: Hub, here: dict[str, Member], address: str) -> bool:
 def _connected(hub: Hub, member: Member) -> Connected:
     address, keeps = group(member.address), _keeps(hub, member)
     who = member.account.id
-    return Connected(member.id, who, address, member.heard, keeps, member.browsers)
+    return Connected(member.id, who, address, member.heard, keeps, member.browsers, member.since)
 
 
 def _keeps(hub: Hub, member: Member) -> bool:

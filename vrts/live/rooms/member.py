@@ -1,5 +1,6 @@
 """Somebody in a room: one place, which outlasts a dropped connection for a while."""
 
+import time
 from dataclasses import dataclass, field
 
 from vrts.live import limits
@@ -27,6 +28,7 @@ class Member:
     settled: bool = False  # has been sent a snapshot, and gets what is new
     seen: int | None = None  # number after which a returning client is told what it missed
     away_since: float = 0.0
+    since: float = field(default_factory=time.monotonic)  # when there was this place first [s]
     came: float = 0.0  # when the connection began, of a clock that only goes on [s]
     address: str = ""  # from where the connection comes; never kept
     heard: float = 0.0  # when it last said something
