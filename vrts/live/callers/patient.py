@@ -29,7 +29,7 @@ class PatientProtocol(AutoHTTPProtocol):
     _transport: asyncio.Transport
     _since = 0.0  # when it began to wait for the head, or the answer began [s]
     _answered = 0.0  # when it was last seen to be answered [s]
-    _left = 0  # bytes of answers that were still to be sent when that was last looked at
+    _left: int = 0  # bytes of answers that were still to be sent when that was last looked at
     _moved = 0.0  # when that was last seen to change [s]
     _bytes = 0  # that came since the last head
     _timer: asyncio.TimerHandle | None = None
