@@ -13,7 +13,7 @@ from tests.unit.live.rooms.test_full_disk import Failing
 from vrts.live import limits
 from vrts.live.places import places_of
 from vrts.live.protocol.from_server import Chat
-from vrts.live.rooms.again.folders import LEFT, remove_all_closed, remove_closed
+from vrts.live.rooms.again.folders import LEFT, empty_earlier, remove_all_closed, remove_closed
 from vrts.live.rooms.hub import DISK_HELP, DISK_LOST, NO_DISK, Hub
 from vrts.live.rooms.keeping import OFTEN, log_soon, record, stamped
 from vrts.live.rooms.room import Room
@@ -102,6 +102,23 @@ def test_of_closed_rooms_only_what_tells_of_faults_stays(tmp_path: Path) -> None
     assert [folder.exists() for folder in others] == [False, False, *[True] * LEFT]
     assert not any((folder / FILE).exists() for folder in others)
     assert (tmp_path / "not-ours").exists()
+
+
+def test_a_folder_that_cannot_be_emptied_holds_up_nothing(
+    tmp_path: Path, caplog: pytest.LogCaptureFixture
+) -> None:
+    odd, fine = filled(tmp_path, "a", 1), filled(tmp_path, "a", 2)
+    (odd / FILE).unlink()
+    (odd / FILE).mkdir()
+    remove_all_closed(tmp_path, [])
+    assert odd.exists()
+    assert not fine.exists()
+    assert "could not be emptied" in caplog.text
+    fine = filled(tmp_path, "a", 2)
+    empty_earlier(filled(tmp_path, "a", 3), "a")
+    remove_closed(tmp_path, "a")
+    assert odd.exists()
+    assert not fine.exists()
 
 
 @pytest.mark.thorough

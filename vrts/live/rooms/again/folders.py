@@ -1,7 +1,12 @@
-"""Folders of sessions that are over: nothing of them stays but what tells of faults."""
+"""Folders of sessions that are over: nothing of them stays but what tells of faults.
 
+A folder that cannot be emptied stays, and holds up nothing: that is logged.
+"""
+
+import logging
 import shutil
 from collections.abc import Iterable
+from contextlib import suppress
 from pathlib import Path
 from typing import Final
 
@@ -11,6 +16,7 @@ LEFT: Final = 4  # folders of a room's earlier sessions that stay
 FAULTS: Final = 32  # folders of closed rooms that stay
 BEFORE: Final = "before.jsonl"  # in a session's folder: what was done before it ended
 _SAID: Final = "stderr.txt"
+_log = logging.getLogger("vrts.live")
 
 
 def empty_earlier(own: Path, room: str) -> None:
@@ -37,7 +43,7 @@ def remove_all_closed(sessions: Path, rooms: Iterable[str]) -> None:
     kept = frozenset(rooms)
     folders = [folder for folder in sessions.glob("*-*") if _room(folder) not in kept]
     told = [folder for folder in folders if _is_own(folder) and _tells(folder)]
-    told.sort(key=lambda folder: (folder / _SAID).stat().st_mtime)
+    told.sort(key=_written)
     for folder in told[:-FAULTS]:
         shutil.rmtree(folder, ignore_errors=True)
 
@@ -52,17 +58,33 @@ def _of(sessions: Path, room: str) -> list[Path]:
 
 def _tells(folder: Path) -> bool:
     """Empty a folder, and remove it where nothing is left; return whether it tells of faults."""
-    _empty(folder)
+    if not _empty(folder):
+        return False
     said = folder / _SAID
-    if said.is_file() and said.stat().st_size:
-        return True
+    with suppress(OSError):  # somebody else removes it
+        if said.is_file() and said.stat().st_size:
+            return True
     shutil.rmtree(folder, ignore_errors=True)
     return False
 
 
-def _empty(folder: Path) -> None:
-    empty(folder)
-    (folder / BEFORE).unlink(missing_ok=True)
+def _empty(folder: Path) -> bool:
+    """Empty a folder, if that can be done and nobody else does it; return whether it was."""
+    try:
+        empty(folder)
+        (folder / BEFORE).unlink(missing_ok=True)
+    except OSError as problem:
+        _log.warning(f"a session's folder could not be emptied: {problem}")
+        return False
+    return True
+
+
+def _written(folder: Path) -> float:
+    """Return when a session said something last; 0: its folder is gone."""
+    try:
+        return (folder / _SAID).stat().st_mtime
+    except OSError:
+        return 0.0
 
 
 def _room(folder: Path) -> str:
