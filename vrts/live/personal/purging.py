@@ -11,7 +11,7 @@ from typing import Any, Final, NamedTuple
 
 from vrts.live.lasting.folder_lock import holder
 from vrts.live.logs.logged_sessions import NO_COMMANDS
-from vrts.live.notices.kept import forget_notices
+from vrts.live.notices.kept import EVERYWHERE, forget_notices
 from vrts.live.personal.names import Names, accounts_of
 from vrts.live.session.growing.folder import FILE, OFF
 from vrts.live.settings import DATABASE, SESSIONS
@@ -114,7 +114,9 @@ def _forget_name(connection: Connection, names: Names, *, mentions: bool) -> int
                 (names.without(text), room, number),
             )
     for room, _, text in _holding(connection, names, "notice", "number"):
-        connection.execute("UPDATE notice SET text=? WHERE room=?", (names.without(text), room))
+        if room == EVERYWHERE:  # of a stop it is a role
+            new = names.without(text)
+            connection.execute("UPDATE notice SET text=? WHERE room=?", (new, room))
     for number, at, what in connection.execute("SELECT number, at, what FROM log_accepted"):
         if names.stands_in(what):
             new = names.without(what)

@@ -1,7 +1,7 @@
 """Rooms that are opened, changed and closed, and forget who was purged."""
 
 import asyncio
-from typing import Final
+from typing import Final, get_args
 
 import msgspec
 from msgspec import structs
@@ -116,7 +116,8 @@ def _stopped(connection: Connection, room: str) -> Stopped | None:
     kept = notice_of(connection, room)
     if kept is None:
         return None
-    return Stopped(kept.at, "", kept.name, msgspec.convert(kept.text or None, Role | None))
+    role = kept.text if kept.text in get_args(Role) else None
+    return Stopped(kept.at, "", kept.name, msgspec.convert(role, Role | None))
 
 
 def _readers(line: Line) -> Audience:

@@ -126,6 +126,30 @@ def test_texts_that_others_wrote_stay_until_somebody_wants_them_gone(folder: Fol
     assert folder.wrong() == []
 
 
+def test_a_purge_of_who_is_called_as_a_role_lets_the_server_begin_again(folder: Folder) -> None:
+    def work(connection: Connection) -> None:
+        account = accounts.add_account(connection, "operator", NOW, password="hash").id
+        kept = KeptNotice("b", 1, NOW, folder.ben, "Ben", "operator")
+        keep_notice(connection, kept)
+        keep_notice(connection, kept._replace(room="", text="operator, see me"))
+        keep_notice(connection, kept._replace(room="a", account=account, text="(purged)"))
+
+    database = Database(folder.place / DATABASE, folder.key, signs=True)
+    database.submit(work).result(10.0)
+    database.close()
+    purge(folder.place, "operator", folder.key)
+    settings = Settings(folder.place, places_of(("cans-on-bases",)), log_key=folder.key)
+
+    async def begun() -> list[str | None]:
+        hub = Hub(settings, Database(folder.place / DATABASE, folder.key, signs=True))
+        await open_kept(hub)
+        hub.database.close()
+        stops = [hub.rooms[room].stopped for room in ("a", "b")]
+        return [announced(hub), *(stop.role if stop else "no stop" for stop in stops)]
+
+    assert asyncio.run(begun()) == ["(purged), see me", None, "operator"]
+
+
 class Interrupted:
     """A database that tells that somebody was purged, and then nothing."""
 
