@@ -97,11 +97,18 @@ def test_a_program_is_written_with_help_saved_and_run(browser: Browser, server: 
     keyboard.press("ControlOrMeta+Enter")
     anna.until("vrts.store.now.status.mode === 'running'")
     lit = f"{SHADOW}.querySelector('.cm-at-work')?.textContent ?? ''"
+    moments: dict[str, float] = {}
     for words in ("#PPOINT(60", "#PPOINT(-60"):
         anna.until(f"({lit}).includes({words!r})")
+        moments[words] = anna.value("vrts.world.now")
     assert page.is_disabled("button:text-is('Run')")
     page.click(".bench button:text-is('Abort')")
     anna.until("vrts.store.now.status.mode === 'stopped'")
+    look = "import('/web/live/looking.js').then((looking) => looking"
+    for words, moment in moments.items():  # who looks back sees the line of then
+        anna.value(f"{look}.look({moment}))")
+        anna.until(f"({lit}).includes({words!r})")
+    anna.value(f"{look}.backToLive())")
 
     anna.value("void (vrts.panic = () => { window.panicked = true; })")
     keyboard_focus(anna)

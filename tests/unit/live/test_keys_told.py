@@ -21,6 +21,21 @@ def told(keys: list[tuple[str, str]]) -> None:
         assert does in row[3], (key, does)
 
 
+def test_no_key_is_told_twice_in_one_place() -> None:
+    seen: dict[str, list[str]] = {}
+    place = ""
+    for line in TABLE.partition("\n\nNothing needs")[0].splitlines():
+        cells = [cell.strip() for cell in line.split("|")]
+        if len(cells) < 5 or cells[1].startswith("---"):
+            continue
+        place = cells[1] or place
+        seen.setdefault(place, []).extend(cells[2].split(", "))
+    assert "rehearsal" in seen
+    for place, keys in seen.items():
+        twice = sorted({key for key in keys if keys.count(key) > 1})
+        assert not twice, (place, twice)
+
+
 def test_every_key_with_alt_is_told_and_there_is_no_other() -> None:
     everything = "\n".join(path.read_text("utf-8") for path in sorted(LIVE.rglob("*.js")))
     known = set(re.findall(r"\bKey([A-Z])\b", everything))

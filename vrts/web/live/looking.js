@@ -23,18 +23,26 @@ const readers = [];
 const livers = [];
 let told = "null"; // what the readers know
 let live = true; // what the livers know
+let wishes = 0; // to see the room or its past, fulfilled already or not
 
 /** Look at a moment of the past, alone: nobody else's page changes. @param {number} at_s session time [s] */
 export function look(at_s) {
+  wishes += 1;
   if (Number.isFinite(at_s)) set(Math.max(at_s, 0));
   changed();
 }
 
 /** Look at what is now again. */
 export function backToLive() {
+  wishes += 1;
   set(null);
   leaveOther();
   changed();
+}
+
+/** Return how often somebody has wished to see the room or its past: what comes later than such a wish shows nothing else. */
+export function wished() {
+  return wishes;
 }
 
 /** Look at something else than the room, until somebody looks at the room or its past again. @param {() => void} left told then */

@@ -314,11 +314,11 @@ export function openWorkbench(app, panel) {
     write(why, reason || (mistakes ? "The robot refuses what has mistakes." : ""));
   }
 
-  /** Light the line that is at work. */
+  /** Light the line that is at work at the moment that is shown. */
   function follow() {
-    const { status, programs } = store.now;
-    const program = programs.find((one) => one.name === status?.program);
-    const line = status && program && status.mode !== "idle" && !rehearsal.shown ? lineOf(lines(), program, status.step) : 0;
+    const { shown, programs } = store.now;
+    const program = programs.find((one) => one.name === shown?.program);
+    const line = shown && program && shown.mode !== "idle" && !rehearsal.shown ? lineOf(lines(), program, shown.step) : 0;
     if (line !== lit) light(view, line);
     lit = line;
   }
@@ -345,7 +345,7 @@ export function openWorkbench(app, panel) {
     void list();
   });
   store.on(["programs"], listed);
-  store.on(["status", "programs"], follow);
+  store.on(["shown", "programs"], follow);
   store.on([...COMMANDING, "status"], may);
   window.addEventListener("beforeunload", (event) => {
     if (text() !== saved) event.preventDefault(); // the browser asks

@@ -29,9 +29,9 @@ export function keepShown(store) {
 
 /** Lead back to what is now where the page shows something else. @returns {string} why what was wanted is not done; empty: it may be */
 export function leadBack() {
-  if (isLive()) return "";
-  backToLive();
-  return BACK;
+  const why = isLive() ? "" : BACK;
+  backToLive(); // what is under way to another picture counts no more
+  return why;
 }
 
 /** Lead back for a command. @param {import("../protocol.js").Message} action @returns {string} why it is not given; empty: it is */

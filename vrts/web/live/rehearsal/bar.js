@@ -51,13 +51,13 @@ export class Bar {
   /**
    * Show what may be pressed: a button that may not keeps the focus, and says why when it is pressed.
    * @param {(step: Step) => string} whyNot @param {boolean} goes whether there is a rehearsal to be ended
-   * @param {string} words where it stands @param {boolean} said whether they are read out: not while time passes
+   * @param {string} words where it stands @param {string | null} said what is read out; null: nothing, while time passes or one writes
    */
   show(whyNot, goes, words, said) {
     for (const [step, element] of this.steps) element.setAttribute("aria-disabled", String(whyNot(step) !== ""));
     this.end.setAttribute("aria-disabled", String(!goes));
     write(this.state, words);
-    if (said) write(this.said, words);
+    if (said !== null) write(this.said, said);
     this.state.title = words;
   }
 }

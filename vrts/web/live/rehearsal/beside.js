@@ -41,7 +41,7 @@ export class Beside {
     rows.unshift(...[note, undetermined ? "Of some pairs of bodies nothing could be proven." : ""].filter(Boolean).map((text) => make("li", { class: "soft", text })));
     const told = new Set(marks.map(({ text }) => text));
     rows.push(...problems.filter(({ message }) => !told.has(message)).map(({ line, severity, message, help }) => make("li", { class: `rehearsal-problem is-${severity}` },
-      make("small", { text: `${severity}, line ${lineNow(line)}` }), " ", ...prose(help ? `${message}. ${help}` : message))));
+      make("small", { text: lineNow(line) ? `${severity}, line ${lineNow(line)}` : severity }), " ", ...prose(help ? `${message}. ${help}` : message))));
     this.events.replaceChildren(...(rows.length ? rows : [make("li", { class: "soft", text: "Nothing." })]));
     this.markPart.hidden = !mark;
     if (!mark) return;

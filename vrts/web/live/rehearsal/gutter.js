@@ -34,6 +34,7 @@ const signs = StateField.define({
       if (effect.is(checked)) breakpoints = breakpoints.map(({ at }) => ({ at, verified: !effect.value.has(change.newDoc.lineAt(at).number) }));
       if (effect.is(stands)) here = effect.value;
     }
+    if (alike(breakpoints, before.breakpoints)) breakpoints = before.breakpoints; // who looks for others finds none
     return breakpoints === before.breakpoints && here === before.here ? before : { breakpoints, here };
   },
   provide: (field) => EditorView.decorations.compute([field], (state) => drawn(state.field(field))),
@@ -43,6 +44,11 @@ const signs = StateField.define({
 function other(breakpoints, at) {
   const rest = breakpoints.filter((one) => one.at !== at);
   return rest.length < breakpoints.length ? rest : [...rest, { at, verified: true }].sort((a, b) => a.at - b.at);
+}
+
+/** @param {Breakpoint[]} some @param {Breakpoint[]} others */
+function alike(some, others) {
+  return some.length === others.length && some.every(({ at, verified }, index) => at === others[index].at && verified === others[index].verified);
 }
 
 /** What a screen reader finds in a line with a breakpoint: the gutter is not read. */

@@ -1,12 +1,12 @@
 // Lines of a text while it is changed: where breakpoints go, and where the lines of an earlier text are now.
 
 /** @typedef {import("@codemirror/state").Text} Text */
-/** @typedef {import("@codemirror/state").ChangeSet} ChangeSet */
+/** @typedef {{changes: import("@codemirror/state").ChangeSet, startState: {doc: Text}, newDoc: Text}} Change */
 
 /**
  * Return where the line that began somewhere begins after a change; −1: it is gone.
  * A change of the whole text, as laying out makes, keeps the number of the line.
- * @param {number} at @param {{changes: ChangeSet, startState: {doc: Text}, newDoc: Text}} change
+ * @param {number} at @param {Change} change
  */
 export function moved(at, { changes, startState: { doc }, newDoc }) {
   const line = doc.lineAt(at);
@@ -25,25 +25,27 @@ export class Earlier {
   /** @param {Text} doc */
   constructor(doc) {
     this.doc = doc;
-    /** @type {ChangeSet | null} */
-    this.since = null;
+    this.begins = starts(doc); // of its lines in the present text; −1: it is gone
   }
 
-  /** @param {ChangeSet} changes */
-  change(changes) {
-    this.since = this.since?.compose(changes) ?? changes;
+  /** @param {Change} change */
+  change(change) {
+    this.begins = change.newDoc.eq(this.doc) ? starts(this.doc) : this.begins.map((at) => (at < 0 ? at : moved(at, change)));
   }
 
   /** Return the line of the present text that a line was; 0: none. @param {number} line @param {Text} now */
   toNow(line, now) {
-    if (line < 1 || line > this.doc.lines) return 0;
-    const { from } = this.doc.line(line);
-    return now.lineAt(this.since ? this.since.mapPos(from, 1) : from).number;
+    const at = this.begins[line - 1] ?? -1;
+    return at < 0 ? 0 : now.lineAt(at).number;
   }
 
-  /** Return the line of that text that a present one was. @param {number} line @param {Text} now */
+  /** Return the line of that text that a present one was; 0: none. @param {number} line @param {Text} now */
   toThen(line, now) {
-    const { from } = now.line(line);
-    return this.doc.lineAt(this.since ? this.since.invertedDesc.mapPos(from, 1) : from).number;
+    return this.begins.indexOf(now.line(line).from) + 1;
   }
+}
+
+/** @param {Text} doc */
+function starts(doc) {
+  return Array.from({ length: doc.lines }, (_, index) => doc.line(index + 1).from);
 }

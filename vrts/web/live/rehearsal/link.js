@@ -21,7 +21,7 @@ export class Link {
     this.id = 0; // of the last rehearsal
     /** @type {WebSocket | null} */
     this.socket = null;
-    /** @type {("go"|"at")[]} what was asked, in order */
+    /** @type {{what: string, number?: number}[]} what was asked and is not answered, in order; `number`: of a block */
     this.asked = [];
     /** @type {Map<number, (message: Message) => void>} who waits for a block */
     this.blocks = new Map();
@@ -67,30 +67,59 @@ export class Link {
   take(message) {
     if (message.id !== this.id && message.id !== 0) return; // of a rehearsal that is over
     if (message.type === "block") {
+      this.answered(({ what, number }) => what === "block" && number === message.number);
       this.blocks.get(message.number)?.(message);
       this.blocks.delete(message.number);
       return;
     }
     if (message.type === "stopped") {
-      const step = this.asked.shift() === "go";
-      if (step || !this.asked.includes("go")) this.heard({ ...message, step });
+      const step = this.answered(({ what }) => what === "go" || what === "at")?.what === "go";
+      if (step || !this.waits("go")) this.heard({ ...message, step });
+      return;
+    }
+    if (message.type === "breakpoints") this.answered(({ what }) => what === "breakpoints");
+    if (message.type === "refused" && message.id && message.busy && this.asked.length) {
+      this.heard({ ...message, question: this.turnedAway(message) });
       return;
     }
     if (message.id && (message.type === "refused" || message.type === "ended")) this.forget();
     this.heard(message);
   }
 
-  /** @param {string} type @param {Record<string, unknown>} fields @returns {boolean} whether it is on its way */
+  /** Take the first of some questions off the list. @param {(question: {what: string, number?: number}) => boolean} is */
+  answered(is) {
+    const index = this.asked.findIndex(is);
+    return index < 0 ? undefined : this.asked.splice(index, 1)[0];
+  }
+
+  /** @param {string} wanted whether such a question waits for its answer */
+  waits(wanted) {
+    return this.asked.some(({ what }) => what === wanted);
+  }
+
+  /** Take a question that was refused off the list: the last one, unless it is named. @param {Message} message @returns {string} what it was */
+  turnedAway({ of, number: block, message: why }) {
+    const found = this.asked.findLast(({ what, number }) => !of || (what === of && (number ?? 0) === (block ?? 0)));
+    if (!found) return "";
+    this.asked.splice(this.asked.indexOf(found), 1);
+    const number = found.number ?? -1;
+    this.blocks.get(number)?.({ type: "block", id: this.id, message: why });
+    this.blocks.delete(number);
+    return found.what;
+  }
+
+  /** @param {string} type @param {Record<string, any>} fields @returns {boolean} whether it is on its way */
   send(type, fields = {}) {
     if (this.socket?.readyState !== WebSocket.OPEN) return false;
     this.socket.send(JSON.stringify({ type, id: this.id, ...fields }));
+    this.asked.push({ what: type, number: fields.number });
     return true;
   }
 
   /** Go a step. @param {string} what */
   go(what) {
     this.wanted = null;
-    if (this.send("go", { what })) this.asked.push("go");
+    this.send("go", { what });
   }
 
   /** Ask where it stands at a moment: one question at a time, the last one counts. @param {number} time_s */
@@ -102,10 +131,7 @@ export class Link {
   ask() {
     this.pause = 0;
     if (this.wanted === null) return;
-    if (!this.asked.includes("at") && this.send("at", { time_s: this.wanted })) {
-      this.asked.push("at");
-      this.wanted = null;
-    }
+    if (!this.waits("at") && this.send("at", { time_s: this.wanted })) this.wanted = null;
     this.pause = window.setTimeout(() => this.ask(), BETWEEN);
   }
 
@@ -122,9 +148,9 @@ export class Link {
     });
   }
 
-  /** End the rehearsal. */
+  /** End the rehearsal, also one whose text is not on its way yet. */
   stop() {
-    this.send("stop");
+    if (!this.send("stop")) return this.close();
     this.forget();
     this.id += 1; // what still comes is about nothing
   }

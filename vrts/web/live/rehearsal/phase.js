@@ -5,7 +5,7 @@
  * @typedef {{line: number, verified: boolean, at?: number}} Checked a breakpoint; `at`: the line that it stands for
  * @typedef {{time_s: number, kind: string, text: string, line: number}} Moment
  * @typedef {{mark: number, total: number, lost: import("../protocol.js").Lost[]}} Mark
- * @typedef {{line: number, column: number, end_line: number, end_column: number, code: string, message: string, help?: string}} Problem
+ * @typedef {{line: number, column: number, end_line: number, end_column: number, code: string, severity: "error"|"warning"|"note", message: string, help?: string}} Problem
  * @typedef {object} Ready the whole run is known
  * @property {number} [begin_s] where it begins on its clock [s]
  * @property {number} duration_s
@@ -14,7 +14,7 @@
  * @property {import("../protocol.js").Contact[]} contacts
  * @property {import("../protocol.js").Contact[]} near
  * @property {boolean} undetermined of some pairs of bodies nothing could be proven
- * @property {(Problem & {severity: string})[]} problems warnings, and what went wrong
+ * @property {Problem[]} problems warnings, and what went wrong
  * @property {string} note what else has to be said; empty: nothing
  * @property {Mark | null} mark by the public checks; null: the room has no task
  * @property {{why: string, line: number, time_s: number, text: string}} ended
@@ -50,7 +50,7 @@ const FORWARD = ["run", "over", "into", "out", "end"];
  * Return what follows when something has happened.
  * @param {Phase} phase
  * @param {{type: "rehearse"} | {type: "ready", ready: Ready} | {type: "asked"} | {type: "placed", place: Place, step: boolean} | {type: "ended", message: string}
- *   | {type: "shown", shown: boolean} | {type: "changed", earlier: boolean} | {type: "stop"}} happened
+ *   | {type: "refused"} | {type: "shown", shown: boolean} | {type: "changed", earlier: boolean} | {type: "stop"}} happened
  * @returns {Phase}
  */
 export function next(phase, happened) {
@@ -61,6 +61,8 @@ export function next(phase, happened) {
       return { ...phase, kind: "there", ready: happened.ready };
     case "asked":
       return phase.kind === "there" ? { ...phase, asked: true } : phase;
+    case "refused": // the step, not the rehearsal
+      return { ...phase, asked: false };
     case "placed":
       return { ...phase, place: happened.place, asked: phase.asked && !happened.step };
     case "ended":

@@ -63,11 +63,11 @@ export class Picture {
     Object.assign(this, { range, contacts: contacts.map(wider), near: near.map(wider), way: null, seen: null, place: null, t: range.begin });
   }
 
-  /** Show the rehearsal instead of the room. @returns {Promise<boolean>} whether it can be shown */
-  async show() {
+  /** Show the rehearsal instead of the room. @param {() => boolean} wanted whether it still is @returns {Promise<boolean>} whether it is shown */
+  async show(wanted) {
     if (this.shown) return true;
     const block = this.blocks.of(this.t) ?? await this.blocks.fetched(Math.floor(this.t / BLOCK));
-    if (!block) return false;
+    if (!block || !wanted()) return false;
     if (this.shown) return true;
     this.seen = block.at(this.t);
     lookAtOther(() => this.leave());

@@ -2,7 +2,7 @@
 
 import { byId } from "../dom.js";
 import { mark as markProblems } from "../editor/diagnostics.js";
-import { backToLive, isLive } from "../looking.js";
+import { backToLive, isLive, wished } from "../looking.js";
 import { LONGEST_PROGRAM } from "../protocol.js";
 import { Bar, stepOf } from "./bar.js";
 import { Beside } from "./beside.js";
@@ -14,6 +14,8 @@ import { Picture } from "./picture.js";
 import { Track } from "./track.js";
 
 const SAME = 1e-3; // moments nearer than this are one [s]
+const SEVERITIES = { error: 1, warning: 2, note: 3 }; // as the editor counts them
+const SAID = ["rehearse", "ready", "placed", "ended"]; // what is read out
 
 /**
  * @param {import("../pages/room.js").App} app
@@ -26,6 +28,8 @@ export function mountRehearsal({ store, world, toasts }, view, bench) {
   let plays = false; // as soon as it stands at the start
   let warned = false; // that the picture cannot show it
   let of = ""; // which room and scene it is of
+  let lines = ""; // with breakpoints, as they were told last
+  let since = 0; // which wishes to see the room came before the step that is under way
   /** @type {Earlier | null} the text that is rehearsed */
   let earlier = null;
   const link = new Link(() => store.now.room?.id ?? "", take);
@@ -37,14 +41,14 @@ export function mountRehearsal({ store, world, toasts }, view, bench) {
   /** @param {Parameters<typeof next>[1]} happened */
   function become(happened) {
     phase = next(phase, happened);
-    show();
+    show(SAID.includes(happened.type));
   }
 
-  function show() {
+  function show(said = false) {
     const line = lineNow(phase.place?.line ?? 0);
     const stands = words(phase, line, line ? view.state.doc.line(line).text : "");
     const away = phase.kind === "there" && !phase.shown && phase.place ? `${stands}. The picture shows the room: any step shows the rehearsal again.` : stands;
-    bar.show((step) => whyNot(phase, step), phase.kind === "begun" || phase.kind === "there", away, phase.place?.why !== "time");
+    bar.show((step) => whyNot(phase, step), phase.kind === "begun" || phase.kind === "there", away, said && phase.place?.why !== "time" ? stands : null);
     beside.element.hidden = phase.kind !== "there";
     track.show(picture.t, picture.playing, line ? `line ${line}` : "");
   }
@@ -60,8 +64,14 @@ export function mountRehearsal({ store, world, toasts }, view, bench) {
   }
 
   function linesThen() {
-    const lines = breakpointLines(view).map((line) => earlier?.toThen(line, view.state.doc) ?? line);
-    return [...new Set(lines)];
+    const then = breakpointLines(view).map((line) => earlier?.toThen(line, view.state.doc) ?? line);
+    return [...new Set(then)].filter((line) => line > 0); // a line that is newer has no step
+  }
+
+  /** Tell breakpoints where they are other ones. */
+  function tellBreakpoints() {
+    const wanted = linesThen();
+    if (wanted.join() !== lines && link.send("breakpoints", { lines: wanted })) lines = wanted.join();
   }
 
   // --- what is asked -----------------------------------------------------------------------------
@@ -79,7 +89,9 @@ export function mountRehearsal({ store, world, toasts }, view, bench) {
     earlier = new Earlier(view.state.doc);
     of = place();
     showHere(view, 0);
-    link.begin({ name: bench.name(), text, from: bar.from.value, breakpoints: breakpointLines(view) });
+    lines = linesThen().join();
+    since = wished();
+    link.begin({ name: bench.name(), text, from: bar.from.value, breakpoints: linesThen() });
     warned = false;
     become({ type: "rehearse" });
   }
@@ -93,6 +105,7 @@ export function mountRehearsal({ store, world, toasts }, view, bench) {
     }
     picture.way = null;
     become({ type: "asked" });
+    since = wished();
     link.go(step);
   }
 
@@ -121,6 +134,7 @@ export function mountRehearsal({ store, world, toasts }, view, bench) {
     else if (message.type === "stopped") void stopped(/** @type {any} */ (message), Boolean(message.step));
     else if (message.type === "breakpoints") idle(message.breakpoints);
     else if (message.type === "refused" && message.id === 0) toasts.warn(message.message);
+    else if (message.type === "refused" && message.question !== undefined) turnedAway(message);
     else if (message.type === "refused") refused(message);
     else if (message.type === "ended" && (!message.lost || phase.kind === "begun" || phase.kind === "there")) end(message.message);
   }
@@ -134,6 +148,7 @@ export function mountRehearsal({ store, world, toasts }, view, bench) {
     beside.begin(ready, lineNow);
     idle(ready.breakpoints);
     become({ type: "ready", ready });
+    tellBreakpoints(); // set or taken away meanwhile
     become({ type: "asked" });
     link.go(ready.breakpoints.length ? "run" : "start");
     plays = !ready.breakpoints.length && !window.matchMedia("(prefers-reduced-motion: reduce)").matches;
@@ -148,26 +163,40 @@ export function mountRehearsal({ store, world, toasts }, view, bench) {
     beside.show(place);
     picture.place = { time_s: place.time_s, program: place.program, line: place.line, text: textThen(place.line) || place.step_text, over: ["end", "error"].includes(place.why) || !place.program };
     if (!picture.playing) showHere(view, lineNow(place.line));
-    if (step && await shown() && phase.kind === "there") {
+    const there = step && since === wished() && await shown();
+    if (there && phase.kind === "there") {
       picture.glide(place.time_s);
       if (plays) picture.toggle();
+      plays = false;
+    } else if (step && since !== wished() && phase.kind === "there") { // somebody has gone back to the room meanwhile
+      picture.seek(place.time_s);
       plays = false;
     }
     show();
   }
 
+  /** One question is refused, and the rehearsal goes on. @param {import("./link.js").Message} message */
+  function turnedAway({ question, message }) {
+    toasts.warn(message);
+    if (question === "breakpoints") lines = "?"; // the next change tells them
+    if (question === "go") become({ type: "refused" });
+  }
+
   /** @param {import("./link.js").Message} message */
   function refused({ problems = [], more = 0, message }) {
-    const count = problems.length + Number(more);
+    const changed = phase.earlier;
+    const errors = problems.filter((/** @type {import("./phase.js").Problem} */ { severity }) => severity === "error");
+    const count = errors.length + (errors.length === problems.length ? Number(more) : 0); // errors come first
     end(count ? `Not rehearsed: ${count === 1 ? "1 mistake" : `${count} mistakes`} in the text.` : message);
-    if (!problems.length || phase.earlier) return;
-    void markProblems(view, bench.help, problems.map((/** @type {import("./phase.js").Problem} */ one) => ({
+    const [first, ...others] = problems.filter((/** @type {import("./phase.js").Problem} */ { line }) => line > 0);
+    if (!first || changed) return;
+    void markProblems(view, bench.help, [first, ...others].map((/** @type {import("./phase.js").Problem} */ one) => ({
       range: { start: { line: one.line - 1, character: one.column - 1 }, end: { line: one.end_line - 1, character: one.end_column - 1 } },
-      message: one.help ? `${one.message}\n${one.help}` : one.message, code: one.code, severity: 1,
+      message: one.help ? `${one.message}\n${one.help}` : one.message, code: one.code, severity: SEVERITIES[one.severity] ?? 1,
     })));
     const { doc } = view.state;
-    const line = doc.line(Math.min(Math.max(problems[0].line, 1), doc.lines));
-    view.dispatch({ selection: { anchor: Math.min(line.from + problems[0].column - 1, line.to) }, scrollIntoView: true });
+    const line = doc.line(Math.min(first.line, doc.lines));
+    view.dispatch({ selection: { anchor: Math.min(line.from + first.column - 1, line.to) }, scrollIntoView: true });
     view.focus();
   }
 
@@ -179,7 +208,9 @@ export function mountRehearsal({ store, world, toasts }, view, bench) {
   // --- the picture -------------------------------------------------------------------------------
 
   async function shown() {
-    const there = await picture.show();
+    const before = wished();
+    const there = await picture.show(() => before === wished());
+    if (before !== wished()) return false; // somebody has gone back to the room meanwhile
     if (!there && phase.kind === "there" && !warned) toasts.warn(picture.blocks.problem || "the picture cannot show the rehearsal");
     warned = !there;
     if (there && !phase.shown) {
@@ -250,10 +281,10 @@ export function mountRehearsal({ store, world, toasts }, view, bench) {
     /** @param {any} update of the editor */
     changed(update) {
       if (update.docChanged) {
-        earlier?.change(update.changes);
+        earlier?.change({ changes: update.changes, startState: update.startState, newDoc: update.state.doc });
         if (earlier) become({ type: "changed", earlier: !earlier.doc.eq(view.state.doc) });
       }
-      if (otherBreakpoints(update) && phase.kind === "there") link.send("breakpoints", { lines: linesThen() });
+      if (otherBreakpoints(update) && phase.kind === "there") tellBreakpoints();
     },
     /** The text is another one. */
     forget() {
