@@ -31,7 +31,7 @@ from vrts.live.store.database import opened
 
 HOURS = int(os.environ.get("VRTS_HOURS", "24"))
 JOINS = 84  # an hour
-MOST = 3000.0  # bytes that one more person may leave behind, before the limits are reached
+MOST = 1800.0  # bytes that one more person may leave behind, before the limits are reached
 SHOWN = 12  # places in the code
 ROOMS = ("Class", "Two", "Three", "Four", "Five", "Six")
 

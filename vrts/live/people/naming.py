@@ -35,13 +35,13 @@ class Taken:
     def __init__(self, names: Iterable[str]) -> None:
         """Take the names of those who are or were here."""
         self._names = frozenset(names)
-        self._shown: set[str] = set()
+        self._shown: set[int] = set()
         for name in self._names:
-            self._shown |= look(name).shown
+            self._shown.update(look(name).shown)
 
     def has(self, name: str) -> bool:
         """Return whether a name can be taken for one of these."""
-        return name in self._names or not look(name).watched.isdisjoint(self._shown)
+        return name in self._names or not self._shown.isdisjoint(look(name).watched)
 
 
 def own_name(name: str, taken: Taken, *, guest: bool) -> str:

@@ -19,14 +19,17 @@ KNOWN: Final = 8192  # names whose looks are remembered: more than there are acc
 
 
 class Look(NamedTuple):
-    """What somebody sees of a name, as keys to be compared."""
+    """What somebody sees of a name, as keys to be compared: numbers of 64 bits, which take little.
 
-    shown: frozenset[str]
-    watched: frozenset[str]  # a name that shows one of these can be taken for this one
+    They are Python's hashes, with a key of this process that nobody outside knows.
+    """
+
+    shown: tuple[int, ...]
+    watched: tuple[int, ...]  # a name that shows one of these can be taken for this one
 
     def alike(self, other: "Look") -> bool:
         """Return whether two names can be taken for each other."""
-        return not self.watched.isdisjoint(other.shown)
+        return any(key in other.shown for key in self.watched)
 
 
 def skeleton(text: str) -> str:
@@ -54,9 +57,13 @@ def look_once(name: str) -> Look:
     same = {"".join(sorted(key)) for key in keys}
     mixed, all_ = ({f"{kind} {key}" for key in same} for kind in ("mixed", "all"))
     if leftward:
-        return Look(frozenset(mixed | all_), frozenset(all_))
+        return Look(_hashed(mixed | all_), _hashed(all_))
     shown = {f"is {key}" for key in keys}
-    return Look(frozenset(shown | all_), frozenset(shown | mixed))
+    return Look(_hashed(shown | all_), _hashed(shown | mixed))
+
+
+def _hashed(keys: set[str]) -> tuple[int, ...]:
+    return tuple(map(hash, keys))
 
 
 def _folded(text: str) -> str:

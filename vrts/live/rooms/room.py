@@ -40,6 +40,7 @@ from vrts.live.store.rooms import HISTORY, KeptRoom
 
 REMEMBERED: Final = 4000  # reliable messages for those who come back
 REMEMBERED_BYTES: Final = 4 * 1024 * 1024
+REMEMBERED_S: Final = 600.0  # longer than the place of who is away is kept
 PANIC: Final = b'{"type":"panic"}'  # as the log has it
 
 
@@ -49,6 +50,7 @@ class Told(NamedTuple):
     number: int
     to: Audience
     frame: bytes
+    at: float  # of a clock that only goes on [s]
 
 
 class Asked(NamedTuple):
@@ -183,12 +185,19 @@ class Room:
     def tell(self, message: Message, number: int, to: Audience = EVERYBODY) -> None:
         """Send a reliable message, and remember it for those who come back."""
         frame = text_frame(encode(message))
-        self._told.append(Told(number, to, frame))
+        now = steady()
+        self._told.append(Told(number, to, frame, now))
         self._bytes += len(frame)
         while len(self._told) > REMEMBERED or self._bytes > REMEMBERED_BYTES:
             self._bytes -= len(self._told.popleft().frame)
+        self.forget_old(now)
         for member in self.audience(to):
             member.send(frame)
+
+    def forget_old(self, now: float) -> None:
+        """Forget messages that nobody can have missed whose place is still kept."""
+        while self._told and now - self._told[0].at > REMEMBERED_S:
+            self._bytes -= len(self._told.popleft().frame)
 
     def show(self, message: Message, to: Audience = EVERYBODY) -> None:
         """Send a state, which a later one replaces."""

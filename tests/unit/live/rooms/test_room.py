@@ -2,13 +2,15 @@
 
 from pathlib import Path
 
+from vrts.live.lasting.clock import steady
 from vrts.live.places import places_of
 from vrts.live.protocol.from_server import Chat
 from vrts.live.rooms.control import ControlRight
 from vrts.live.rooms.entering import settle
 from vrts.live.rooms.hub import Hub
 from vrts.live.rooms.member import Member
-from vrts.live.rooms.room import REMEMBERED, REMEMBERED_BYTES, Room
+from vrts.live.rooms.pulse import AWAY_S
+from vrts.live.rooms.room import REMEMBERED, REMEMBERED_BYTES, REMEMBERED_S, Room
 from vrts.live.settings import Settings
 from vrts.live.store.accounts import Account
 from vrts.live.store.database import Database
@@ -49,3 +51,16 @@ def test_who_has_waited_for_a_snapshot_is_told_who_is_here(tmp_path: Path) -> No
 def test_long_messages_are_fewer() -> None:
     _, missed = told(300, 20_000)
     assert REMEMBERED_BYTES - 21_000 < sum(map(len, missed)) <= REMEMBERED_BYTES
+
+
+def test_nothing_is_remembered_for_longer_than_places_are_kept() -> None:
+    room, _ = told(20, 10)
+    room.forget_old(steady() + AWAY_S + 60.0)
+    assert room.remembers(5), "who was away as long as one may be has their place still"
+    room.forget_old(steady() + REMEMBERED_S + 1.0)
+    assert not room.remembers(19)
+    assert room.remembers(20), "nothing was missed"
+    number = room.next_number()
+    room.tell(Chat(number, 0.0, "p", "Anna", "more", False), number)
+    assert room.remembers(20)
+    assert not room.remembers(19)
