@@ -127,7 +127,8 @@ class Stay:
             editor = Editor(socket, ".PROGRAM a\n  MOVEE part\n.END\n")
             assert editor.findings()
             editor.change(PROGRAM.format(angle=5, number=number))
-            assert not editor.findings()
+            wrong = editor.findings()
+            assert not wrong, wrong
             editor.at("hover", 1, 6)
 
     def go_away(self) -> None:
