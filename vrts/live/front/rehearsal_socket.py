@@ -1,6 +1,7 @@
 """The way to a rehearsal: who may have one, and in which scene or task it takes place."""
 
 import asyncio
+import hashlib
 from collections.abc import Awaitable, Callable
 from typing import Final
 
@@ -64,12 +65,14 @@ async def rehearsal_socket(
         place = hub.settings.place(room.kept.scene)
         if place is None:
             raise NotObeyed("scene", NO_SCENE)
-        scene = Start(room.session, "", place.scene, place.task, place.lab)
+        drawn = b"" if room.process is None else room.process.scene
+        sha256 = hashlib.sha256(drawn).hexdigest() if drawn else ""
+        where = Start(room.session, "", place.scene, place.task, place.lab, scene_sha256=sha256)
         if order.begins == "start":
-            return Begin(scene, order)
+            return Begin(where, order)
         if not rehearsals.nows.take(account.id, steady()):
             raise NotObeyed("rate", "you rehearse from now very often: wait a moment")
-        return Begin(scene, order, await _state(room))
+        return Begin(where, order, await _state(room))
 
     whose = Whose(account.id, room.id)
     await serve_rehearsal(Offered(rehearsals, whose, where, still), websocket)

@@ -67,7 +67,7 @@ class Stop(_Strict, frozen=True, tag="stop"):
 class Begin(msgspec.Struct, frozen=True, tag_field="type", tag="begin"):
     """The server's own: `Rehearse` with where it takes place. No browser may send it."""
 
-    where: Start  # scene and task, as the room's session has them
+    where: Start  # scene and task, with the digest of those that the room's session has
     order: Rehearse
     state: str = ""  # of the session that it begins with, in base64; empty: it begins at the start
 

@@ -4,6 +4,7 @@ from collections.abc import Iterator, Sequence
 from typing import Final
 
 from vrts.base.diagnostic import Diagnostic
+from vrts.base.source import SourceFile
 from vrts.check.judge import judge
 from vrts.check.mark.losses import mishaps_of
 from vrts.check.mark.mark import grade
@@ -58,10 +59,11 @@ def begun(begin: Begin) -> tuple[Rehearsal | None, Ready | Refused]:
     except CannotRead as problem:
         return None, Refused(of, problem.message)
     except SettingRefused as refused:
-        return None, Refused(of, in_one_sentence(refused.diagnostics))
+        text = SourceFile(begin.order.name, begin.order.text)  # which is not what has errors
+        return None, Refused(of, in_one_sentence(refused.diagnostics, text))
     if outcome.run is None or outcome.source is None:
         found, more = problems(outcome.diagnostics, outcome.source)
-        return None, Refused(of, in_one_sentence(outcome.diagnostics), found, more)
+        return None, Refused(of, in_one_sentence(outcome.diagnostics, outcome.source), found, more)
     said = (*outcome.diagnostics, *outcome.run.findings)
     found, more = problems(said, outcome.source)
     rehearsal = Rehearsal(outcome.run, outcome.source, outcome.dialect, outcome.begin)

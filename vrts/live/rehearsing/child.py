@@ -19,6 +19,7 @@ from vrts.live.rehearsing.begun import begun
 from vrts.live.rehearsing.rehearsal import Rehearsal
 from vrts.live.rehearsing.told import Placed, Refused, Told
 from vrts.live.session.marks.checker import warm_up
+from vrts.live.session.setting import scene_sha256
 from vrts.marking.supervise.limits import Limits, for_the_next, impose
 from vrts.pipeline.alone import robot_alone
 
@@ -92,5 +93,7 @@ if __name__ == "__main__":
     _yield()
     impose(LIMITS)
     if sys.argv[1:] == [WARM]:  # what is loaded only when it is needed is loaded now
-        warm_up(robot_alone())
+        alone = robot_alone()
+        warm_up(alone)
+        scene_sha256(alone)
     sys.exit(serve())

@@ -23,7 +23,7 @@ from vrts.lang.reading.decoding import decode
 from vrts.live.rehearsing.asked import Begin
 from vrts.live.rehearsing.running import Outcome, narrower
 from vrts.live.session.looking.state import StateLost, machine_of, state_of, stored
-from vrts.live.session.setting import setting_of
+from vrts.live.session.setting import scene_sha256, setting_of
 from vrts.monitor.programs import in_view
 from vrts.pipeline.compiling.reading import ProgramFile
 from vrts.pipeline.execution import entry_in
@@ -52,6 +52,8 @@ def run_from_now(begin: Begin) -> Outcome:
     except binascii.Error as problem:
         raise StateLost from problem
     setting = setting_of(structs.replace(where, controller=state.controller))
+    if scene_sha256(setting) != state.scene_sha256:
+        raise StateLost
     source = decode(order.text.encode("utf-8", "replace"), order.name)
     if isinstance(source, Diagnostic):
         return Outcome(None, None, (source,), dialect)

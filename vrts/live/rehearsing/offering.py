@@ -10,7 +10,10 @@ from vrts.live.limits import Buckets
 from vrts.live.rehearsing.process import RehearsalProcess, begun
 
 MOST: Final = 12  # rehearsals at once; each takes about 100 MB
-BEGUN: Final = (0.2, 10.0)  # by one person in one room, a second and at once
+BEGUN: Final = (
+    0.2,
+    10.0,
+)  # rehearsals of one account, and seats of one in a room: a second, at once
 NOWS: Final = (0.5, 6.0)  # states of a session that are asked for: it pays for a fork
 QUIET_S: Final = 60.0  # without a question, after which a seat is given to who finds none free
 AFTER_S: Final = 2.0  # in which who rehearses has the processor for themselves
@@ -30,6 +33,7 @@ class Rehearsals:
     def __init__(self, place: Path, most: int = MOST) -> None:
         """Begin with none; `place` is a folder that stays empty, made when needed."""
         self.seats: Seats[Whose] = Seats(place, most, begun=BEGUN, quiet_s=QUIET_S)
+        self.often = Buckets(*BEGUN)  # how often each account begins
         self.nows = Buckets(*NOWS)  # how often each account begins at now
         self._open: dict[Whose, asyncio.Event] = {}
         self._spare: asyncio.Task[RehearsalProcess] | None = None

@@ -1,6 +1,7 @@
 """What is wrong with a rehearsed text, as the page marks it."""
 
 from collections.abc import Iterable, Sequence
+from pathlib import PurePath
 from typing import Final
 
 from vrts.base.diagnostic import Diagnostic
@@ -20,13 +21,22 @@ def problems(
     return tuple(_problem(one, source) for one in ordered[:MOST]), max(len(found) - MOST, 0)
 
 
-def in_one_sentence(found: Iterable[Diagnostic]) -> str:
-    """Return the first error."""
+def in_one_sentence(found: Iterable[Diagnostic], source: SourceFile | None) -> str:
+    """Return the first error; where it is in none of the text, with the name of what it is in."""
     first = next((one for one in found if one.is_error), None)
     if first is None:
         return "there is no program to run in this text"
-    where = f"line {first.primary.span.line}: " if first.primary is not None else ""
+    where = "" if first.primary is None else f"line {first.primary.span.line}: "
+    if (other := _other(first, source)) is not None:
+        where = f"{other}, {where}"
     return f"{where}{one_line(first.headline)[:LONGEST]}"
+
+
+def _other(one: Diagnostic, source: SourceFile | None) -> str | None:
+    """Return the name of another source that something is in; None: it is in none."""
+    if one.primary is None or source is None or one.primary.span.source is source:
+        return None
+    return PurePath(one.primary.span.source.name).name  # never with a folder of the server
 
 
 def _problem(one: Diagnostic, source: SourceFile | None) -> Problem:
@@ -35,6 +45,9 @@ def _problem(one: Diagnostic, source: SourceFile | None) -> Problem:
         span = one.primary.span
         line, column = span.line, span.column
         end_line, end_column = source.line_of(span.end), source.column_of(span.end)
+    other = _other(one, source)
+    if other is not None:
+        line = end_line = 0
     return Problem(
         line,
         column,
@@ -44,4 +57,5 @@ def _problem(one: Diagnostic, source: SourceFile | None) -> Problem:
         one.severity.value,
         one_line(one.headline)[:LONGEST],
         "; ".join(map(one_line, one.help))[:LONGEST],
+        other or "",
     )

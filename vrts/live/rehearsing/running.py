@@ -10,7 +10,8 @@ from vrts.debug.passages import Instant
 from vrts.engine.run import Run
 from vrts.lang.dialect import DIALECTS, Dialect
 from vrts.live.rehearsing.asked import Begin
-from vrts.live.session.setting import setting_of
+from vrts.live.session.looking.state import StateLost
+from vrts.live.session.setting import scene_sha256, setting_of
 from vrts.pipeline.compiling.reading import ProgramFile, Reading
 from vrts.pipeline.execution import executed
 from vrts.pipeline.request import Request
@@ -41,9 +42,12 @@ def run_from_start(begin: Begin) -> Outcome:
     Raises:
         CannotRead: A file of the scene or task is not there.
         Refused: A file of them has errors.
+        StateLost: They are not those of the room's session.
     """
     where, order = begin.where, begin.order
     setting = setting_of(where)
+    if where.scene_sha256 not in ("", scene_sha256(setting)):
+        raise StateLost
     limits = narrower(scenario_of(setting).limits)
     program = ProgramFile(order.text.encode("utf-8", "replace"), order.name)
     found = executed(Request(program, setting, Reading(where.dialect), limits=limits))

@@ -33,6 +33,7 @@ BAD: Final = Closed("message", "too many messages that make no sense")
 TOO_MUCH: Final = Closed("limit", "too much was asked at once")
 
 NO_SEAT: Final = "too many people rehearse now, or you rehearse too often: wait a minute"
+TOO_OFTEN: Final = "you rehearse very often: wait a moment"
 NO_PROCESS: Final = "the server cannot begin a rehearsal now: try again in a minute"
 NO_SCENE: Final = "the server does not offer the scene of this room any more"
 NONE: Final = "nothing is rehearsed"
@@ -100,10 +101,12 @@ class _Talk:
 
     async def end(self) -> None:
         """End what is left."""
-        await self._end_process()
-        if self._seat is not None:
-            self._offered.rehearsals.seats.give_back(self._seat)
-            self._seat = None
+        try:
+            await self._end_process()
+        finally:
+            if self._seat is not None:
+                self._offered.rehearsals.seats.give_back(self._seat)
+                self._seat = None
 
     # --- in -----------------------------------------------------------------------------------
 
@@ -154,7 +157,9 @@ class _Talk:
         elif len(self._waiting) >= MOST_ASKED:
             await self._tell(Refused(order.id, BUSY))
             return
-        self._of = order.id
+        if not self._offered.rehearsals.often.take(self._offered.whose.account, steady()):
+            await self._tell(Refused(order.id, TOO_OFTEN))
+            return
         try:
             begin = await self._offered.where(order)
         except NotObeyed as why:
@@ -173,6 +178,7 @@ class _Talk:
                 return
             hearing = self._hear(self._process)
             self._answers = asyncio.get_running_loop().create_task(hearing)
+        self._of = order.id  # only now: of the one before somebody may have to be told until here
         self._waiting.append(steady())
         self._process.ask(begin)
 
@@ -195,25 +201,34 @@ class _Talk:
             try:
                 await asyncio.wait_for(self._elsewhere.wait(), LOOK_S)
             except TimeoutError:
-                now = steady()
+                pass
             else:
                 break
             if (why := await self._offered.still()) is not None:
                 return why
-            if self._seat is None:
-                continue
-            if self._seat.taken.is_set():
-                await self._put_away(WANTED)
-            elif self._waiting and now - self._waiting[0] > PATIENCE_S:
-                await self._put_away(STUCK)
-            elif now - self._heard_s > IDLE_S:
-                await self._put_away(IDLE)
+            if self._unneeded():
+                await self._put_away()
         return ELSEWHERE
 
-    async def _put_away(self, why: str) -> None:
+    def _unneeded(self) -> str:
+        """Return why a rehearsal is to be ended; empty: it is not."""
+        now = steady()
+        if self._seat is None:
+            return ""
+        if self._seat.taken.is_set():
+            return WANTED
+        if self._waiting and now - self._waiting[0] > PATIENCE_S:
+            return STUCK
+        return IDLE if now - self._heard_s > IDLE_S else ""
+
+    async def _put_away(self) -> None:
+        """End the rehearsal, if there is still a reason when it is its turn."""
         async with self._one_at_a_time:
+            why, of = self._unneeded(), self._of
+            if not why:
+                return
             await self.end()
-        await self._tell(Ended(self._of, why))
+        await self._tell(Ended(of, why))
 
     async def _end_process(self) -> None:
         process, answers = self._process, self._answers
@@ -221,9 +236,10 @@ class _Talk:
         self._waiting.clear()
         if answers is not None:
             answers.cancel()
-            await asyncio.gather(answers, return_exceptions=True)
         if process is not None:
-            await process.end()
+            await process.end()  # killed before anything is awaited, which may be cancelled
+        if answers is not None:
+            await asyncio.gather(answers, return_exceptions=True)
 
     async def _tell(self, message: Told) -> None:
         await self._send(as_json(message))

@@ -20,6 +20,7 @@ class Problem(msgspec.Struct, frozen=True):
     severity: str  # "error", "warning", "note"
     message: str
     help: str
+    program: str = ""  # of the room's memory, where it is in that one: `line` is 0 then
 
 
 class Refused(_Told, frozen=True, tag="refused"):

@@ -4,15 +4,12 @@ A program costs at most 100 statements of each kind a tick, so no program makes 
 checks collisions is a child of this process.
 """
 
-import hashlib
 import select
 import time
 from collections.abc import Callable
 from contextlib import closing
 from dataclasses import replace
 from pathlib import Path
-
-import msgspec
 
 from vrts.controllers.values import digest
 from vrts.live.session.again.carrying_on import (
@@ -41,7 +38,7 @@ from vrts.live.session.growing.tidying import Tidying
 from vrts.live.session.live_session import Session
 from vrts.live.session.looking.looker import Looker
 from vrts.live.session.marks.checker import Checker, warm_up
-from vrts.live.session.setting import setting_of
+from vrts.live.session.setting import scene_sha256, setting_of
 from vrts.live.session.ways.ways import Ways
 from vrts.marking.supervise.limits import Limits, impose
 from vrts.pipeline.files import CannotRead
@@ -152,7 +149,7 @@ def _begun(
         session = Session(start, setting, voice, clock)
         try:
             entries = read_entries(Path(start.before))
-            if hashlib.sha256(msgspec.json.encode(scene)).hexdigest() != start.scene_sha256:
+            if scene_sha256(setting) != start.scene_sha256:
                 raise CannotCarryOn("its scene or task is another one now")
             if start.controller_sha256 not in ("", digest(setting.scene.controller)):
                 raise CannotCarryOn("its controller model is another one now")

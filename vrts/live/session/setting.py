@@ -1,6 +1,9 @@
 """Scene and task of a session."""
 
+import hashlib
 from pathlib import Path
+
+import msgspec
 
 from vrts.controllers.models import MODELS
 from vrts.live.session.channel.messages import Start
@@ -9,6 +12,7 @@ from vrts.pipeline.controllers import under
 from vrts.pipeline.scenes import load_scene
 from vrts.pipeline.setting import Setting
 from vrts.pipeline.settings import load_task
+from vrts.report.page.viewer_data import scene_data
 
 
 def setting_of(start: Start) -> Setting:
@@ -21,6 +25,12 @@ def setting_of(start: Start) -> Setting:
     found = _setting_of(start)
     known = start.controller in MODELS  # else whoever carries it on notices by the hash
     return under(found, start.controller) if known else found
+
+
+def scene_sha256(setting: Setting) -> str:
+    """Return the digest of a scene and task, as `Ready.scene` has them."""
+    drawn = scene_data(setting.scene, setting.task)
+    return hashlib.sha256(msgspec.json.encode(drawn)).hexdigest()
 
 
 def _setting_of(start: Start) -> Setting:

@@ -44,9 +44,10 @@ CALLS = """.PROGRAM main()
 class Questions:
     """A rehearsal in this process."""
 
-    def __init__(self, task: Path | None = None) -> None:
+    def __init__(self, task: Path | None = None, scene_sha256: str = "") -> None:
         """Rehearse for a task; None: a robot alone."""
-        self._where = Start(1, "", task="" if task is None else str(task))
+        path = "" if task is None else str(task)
+        self._where = Start(1, "", task=path, scene_sha256=scene_sha256)
         self._child = Child()
         self._of = 0
 
@@ -141,15 +142,18 @@ class Page:
             return code
 
 
-def processes(server: LiveServer) -> dict[int, bool]:
-    """Return the numbers of the processes of rehearsals; whether each waits for the next one."""
-    found: dict[int, bool] = {}
+def processes(server: LiveServer) -> list[int]:
+    """Return the numbers of the processes of rehearsals, those that began first before others.
+
+    The one that waits for the next rehearsal began after those that are in use.
+    """
+    found: list[tuple[int, int]] = []
     for folder in Path("/proc").glob("[0-9]*"):
         try:
-            parent = int((folder / "stat").read_text().rsplit(")", 1)[1].split()[1])
+            fields = (folder / "stat").read_text().rsplit(")", 1)[1].split()
             words = (folder / "cmdline").read_bytes().split(b"\0")
         except OSError:
             continue  # gone meanwhile
-        if parent == server.process.pid and b"vrts.live.rehearsing.child" in words:
-            found[int(folder.name)] = b"warm" in words
-    return found
+        if int(fields[1]) == server.process.pid and b"vrts.live.rehearsing.child" in words:
+            found.append((int(fields[19]), int(folder.name)))
+    return [pid for _, pid in sorted(found)]

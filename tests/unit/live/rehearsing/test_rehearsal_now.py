@@ -13,6 +13,7 @@ from vrts.live.rehearsing.begun import OTHER_SCENE
 from vrts.live.rehearsing.going_on import STOPPED
 from vrts.live.rehearsing.told import Ready, Refused
 from vrts.live.session.looking.state import state_bytes
+from vrts.live.session.setting import scene_sha256
 
 SUB = ".PROGRAM sub()\n  DRIVE 1, 10, 100\n  n = n + 1\n.END\n"
 MAIN = """.PROGRAM main()
@@ -115,6 +116,22 @@ def test_what_moves_in_the_room_is_stopped_in_the_rehearsal_alone(room: Room) ->
     assert room.session.run.at(room.session.growing.time_s).variables["n"] == 2.0
 
 
+def test_the_start_of_another_scene_than_the_sessions_is_refused(room: Room) -> None:
+    own = scene_sha256(room.session.setting)
+    assert isinstance(Questions(TASK, own).rehearse(HITS), Ready)
+    refused = Questions(scene_sha256=own).rehearse(HITS)
+    assert isinstance(refused, Refused)
+    assert refused.message == OTHER_SCENE
+
+
+def test_what_fails_in_a_program_of_the_room_is_in_no_line_of_the_text(room: Room) -> None:
+    room.upload(".PROGRAM sub()\n  MOVE nowhere\n.END\n")
+    ready = room.rehearse(".PROGRAM main()\n  CALL sub\n.END\n")
+    assert isinstance(ready, Ready), ready
+    (failed,) = [one for one in ready.problems if one.severity == "error"]
+    assert (failed.line, failed.end_line, failed.program) == (0, 0, "sub")
+
+
 def test_limits_count_from_now(room: Room) -> None:
     room.typed("DO n = 1", seconds=1.0)
     ready = room.rehearse(".PROGRAM main()\n  10 n = n + 1\n  TYPE n\n  GOTO 10\n.END\n")
@@ -132,7 +149,9 @@ def test_a_state_that_does_not_fit_is_refused(room: Room) -> None:
             refused = room.questions.rehearse(CARRY, state=text)
             assert isinstance(refused, Refused)
             assert refused.message == OTHER_SCENE
-    wrong.rehearse(CARRY, state=state)  # nothing is raised
+    refused = wrong.rehearse(CARRY, state=state)
+    assert isinstance(refused, Refused)
+    assert refused.message == OTHER_SCENE
     refused = room.questions.rehearse(".PROGRAM a()\n  MOVEE spot\n.END\n", state=state)
     assert isinstance(refused, Refused)
     assert refused.problems[0].line == 2

@@ -62,20 +62,21 @@ class Student:
             self.state = self.browser.wait("state")["state"]
 
 
-def in_use(server: LiveServer, count: int) -> list[int]:
-    """Wait until so many processes of rehearsals are there beside the one that waits warm."""
+def require_gone(pid: int) -> None:
+    """See to it that a process ends, and that the server takes notice of it."""
     until = time.monotonic() + PATIENCE
-    while len(found := processes(server)) != count + 1 and time.monotonic() < until:
+    while (Path("/proc") / str(pid)).exists():
+        assert time.monotonic() < until, f"{pid} is still there"
         time.sleep(0.02)
-    assert len(found) == count + 1, found
-    return [pid for pid, waits in found.items() if not waits]
 
 
-def signalled(server: LiveServer, sign: int) -> None:
-    """Signal all processes of rehearsals, the one that waits, too."""
-    for pid in processes(server):
+def signalled(server: LiveServer, sign: int) -> list[int]:
+    """Signal all processes of rehearsals, the one that waits, too; return them."""
+    found = processes(server)
+    for pid in found:
         with suppress(ProcessLookupError):
             os.kill(pid, sign)
+    return found
 
 
 @pytest.mark.thorough
@@ -87,7 +88,7 @@ def test_a_text_is_rehearsed_and_nothing_moves_in_the_room(server: LiveServer) -
         assert ready["type"] == "ready"
         assert ready["mark"]["mark"] == 7.0
         assert [mark["kind"] for mark in ready["marks"]] == ["contact", "program"]
-        (pid,) = in_use(server, 1)
+        pid = processes(server)[0]
         there = page.ask("go", what="run")
         assert (there["why"], there["line"]) == ("breakpoint", 12)
         assert page.ask("go", what="back")["line"] == 11
@@ -122,7 +123,8 @@ def test_a_text_is_rehearsed_and_nothing_moves_in_the_room(server: LiveServer) -
         )
         assert now["begin_s"] > 0.0
         assert page.ask("go", what="end")["typed"] == [" 5"]
-    in_use(server, 0)
+        pid = processes(server)[0]
+    require_gone(pid)
     ben = Student(server, "Ben")
     assert anna.state is not None
     assert ben.state is not None
@@ -156,9 +158,11 @@ def test_what_is_not_allowed_reaches_no_process(server: LiveServer) -> None:
         socket.send(b"\x00\xff")
         assert page.next()["message"] == UNREAD
         assert page.ask("go", what="end")["typed"] == [" 1"]  # and it goes on
+        pid = processes(server)[0]
         for _ in range(MOST_BAD):
             socket.send("{}")
         assert page.closed() == "message"
+    require_gone(pid)
     for cookie, room, origin, status in (
         ("", eve.room, "", 401),
         (f"vrts_{server.port}=wrong", eve.room, "", 401),
@@ -169,7 +173,6 @@ def test_what_is_not_allowed_reaches_no_process(server: LiveServer) -> None:
         with pytest.raises(InvalidStatus) as refused, link(server, cookie, room, origin):
             pass
         assert refused.value.response.status_code == status
-    in_use(server, 0)
 
 
 @pytest.mark.thorough
@@ -181,9 +184,11 @@ def test_a_process_that_is_killed_is_told_of_and_the_next_rehearsal_works(
         page = Page(socket)
         assert page.rehearse(FEW)["type"] == "ready"
         for sign, words in ((signal.SIGKILL, DIED), (signal.SIGXCPU, TOO_LONG)):
-            signalled(server, sign)
+            killed = signalled(server, sign)
             told = page.next()
             assert (told["type"], told["message"]) == ("ended", words)
+            for pid in killed:
+                require_gone(pid)
             assert page.ask("go", what="run")["message"] == NONE
             assert page.rehearse(FEW)["type"] == "ready"
 
@@ -210,16 +215,18 @@ def test_a_flood_and_a_message_that_is_too_long_end_the_connection(server: LiveS
     eve = Student(server, "Eve")
     with link(server, eve.cookie, eve.room) as socket:
         page = Page(socket)
+        assert page.rehearse(FEW)["type"] == "ready"
+        pid = processes(server)[0]
         for _ in range(200):
             page.order(HITS)
         assert page.closed() == "limit"
+    require_gone(pid)
     with link(server, eve.cookie, eve.room) as socket:
         socket.send("x" * (LONGEST_MESSAGE + 1))
         with pytest.raises(ConnectionClosed) as closed:
             socket.recv(timeout=PATIENCE)
         assert closed.value.rcvd is not None
         assert closed.value.rcvd.code == 1009
-    in_use(server, 0)
 
 
 @pytest.mark.thorough
@@ -229,9 +236,10 @@ def test_one_rehearsal_of_a_person_in_a_room_ends_with_the_cookie(server: LiveSe
         assert Page(first).closed() == "elsewhere"
         page = Page(second)
         assert page.rehearse(FEW)["type"] == "ready"
+        pid = processes(server)[0]
         assert server.request("POST", "/logout", cookie=lea.cookie).status == 204
         assert page.closed() == "login"
-    in_use(server, 0)
+    require_gone(pid)
 
 
 def test_seats_are_few_and_nobody_begins_too_often(tmp_path: Path) -> None:

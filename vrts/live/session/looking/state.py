@@ -15,6 +15,7 @@ from vrts.engine.storage.graph import GraphReader, GraphWriter
 from vrts.live.session.growing.past import given_to
 from vrts.live.session.live_session import Session
 from vrts.live.session.marks.checker import needed_from
+from vrts.live.session.setting import scene_sha256
 from vrts.monitor.programs import StoredProgram
 from vrts.scene.model import Scenario, Scene
 
@@ -40,6 +41,7 @@ class State(msgspec.Struct, frozen=True):
     time_s: float
     busy: bool  # a program executes, or something moves
     controller: str  # model that it goes by
+    scene_sha256: str  # of its scene and task
     texts: tuple[Text, ...]
     form: Any  # of the machine
 
@@ -62,7 +64,8 @@ def state_bytes(session: Session) -> bytes:
         for one in session.conversation.monitor.desk.programs.values()
     )
     controller = session.setting.scene.controller.name
-    state = State(time_s, not session.at_rest, controller, texts, form)
+    scene = scene_sha256(session.setting)
+    state = State(time_s, not session.at_rest, controller, scene, texts, form)
     return zlib.compress(msgspec.msgpack.encode(state), LEVEL)
 
 
