@@ -2,6 +2,7 @@
 
 from typing import Final, NamedTuple
 
+from vrts.live.store.accounts import existing
 from vrts.live.store.database import Connection
 
 EVERYWHERE: Final = ""  # in place of a room: an announcement
@@ -27,6 +28,20 @@ def keep_notice(connection: Connection, notice: KeptNotice) -> None:
 def end_notice(connection: Connection, room: str) -> None:
     """Keep it no longer."""
     connection.execute("DELETE FROM notice WHERE room=?", (room,))
+
+
+def keep_wanted(connection: Connection, room: str, notice: KeptNotice | None) -> None:
+    """Keep what is to be seen of a room, or everywhere, now; None: nothing.
+
+    Who was purged before it could be kept is not named.
+    """
+    account = None if notice is None else notice.account
+    gone = account is not None and not existing(connection, (account,))
+    if notice is None or (gone and room == EVERYWHERE):
+        end_notice(connection, room)
+    else:
+        kept = notice._replace(account=None, name=SOMEBODY) if gone else notice
+        keep_notice(connection, kept)
 
 
 def notice_of(connection: Connection, room: str) -> KeptNotice | None:

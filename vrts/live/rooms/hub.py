@@ -10,6 +10,7 @@ from vrts.live.entrance.ways_in import WaysIn
 from vrts.live.lasting.clock import wall
 from vrts.live.limits import BRANCHES, TURNS, Buckets
 from vrts.live.notices.announcement import Announcement
+from vrts.live.notices.kept import KeptNotice
 from vrts.live.passwords import Passwords
 from vrts.live.protocol.coding import encode
 from vrts.live.protocol.from_server import Announced, Chat, ClassCode, Rooms
@@ -48,6 +49,7 @@ class Hub:
         self.ways = WaysIn(settings.folder, database, address, has_code=with_code)
         self.ways.changed = self.code_changed
         self.announcement: Announcement | None = None
+        self.unkept: dict[str, tuple[KeptNotice | None]] = {}  # notices to be kept, by room
         self.passwords = Passwords()
         self.projector = ""
         self.branching: set[int] = set()  # accounts whose private rooms are being made

@@ -7,7 +7,7 @@ from typing import Final
 
 from vrts.live import limits
 from vrts.live.lasting.clock import wall
-from vrts.live.notices.kept import KeptNotice, end_notice, keep_notice
+from vrts.live.notices.kept import EVERYWHERE, KeptNotice, keep_wanted
 from vrts.live.protocol.coding import encode
 from vrts.live.protocol.from_server import Chat, Stopped
 from vrts.live.rooms.audience import EVERYBODY, Audience
@@ -90,7 +90,7 @@ def show_stopped(hub: Hub, room: Room, by: Asked) -> None:
     room.stopped = Stopped(at, by.person, by.name, role)
     room.show(room.stopped)
     notice = KeptNotice(room.id, 0, at, by.account, by.name, role or "")
-    hub.spawn(keep_soon(hub, lambda connection: keep_notice(connection, notice)))
+    keep_notice_soon(hub, room.id, notice)
 
 
 def end_stopped(hub: Hub, room: Room) -> None:
@@ -98,7 +98,27 @@ def end_stopped(hub: Hub, room: Room) -> None:
     if room.stopped is not None:
         room.stopped = None
         room.show(Stopped(0.0))
-        hub.spawn(keep_soon(hub, lambda connection: end_notice(connection, room.id)))
+        keep_notice_soon(hub, room.id, None)
+
+
+def keep_notice_soon(hub: Hub, room: str, notice: KeptNotice | None) -> None:
+    """Keep what everybody has to see after a restart too, once the disk has room; None: nothing."""
+    hub.unkept[room] = (notice,)
+    hub.spawn(keep_notices(hub))
+
+
+async def keep_notices(hub: Hub) -> None:
+    """Keep the notices that are not kept yet; where there is no room now, they stay wanted."""
+    for room, wanted in list(hub.unkept.items()):
+        if room not in hub.rooms and room != EVERYWHERE:
+            hub.unkept.pop(room, None)
+            continue
+        try:
+            await hub.database.do(lambda c, r=room, w=wanted: keep_wanted(c, r, *w))
+        except NO_ROOM:
+            return
+        if hub.unkept.get(room) is wanted:
+            del hub.unkept[room]
 
 
 async def announce(hub: Hub, room: Room, text: str) -> None:

@@ -9,7 +9,7 @@ from typing import Final
 from vrts.live.lasting.clock import steady
 from vrts.live.rooms.entering import remove, send_away
 from vrts.live.rooms.hub import Hub
-from vrts.live.rooms.keeping import control_changed, keep_soon
+from vrts.live.rooms.keeping import control_changed, keep_notices, keep_soon
 from vrts.live.rooms.opening import forget_purged
 from vrts.live.rooms.private.branching import end_empty
 from vrts.live.rooms.room import Room
@@ -64,6 +64,8 @@ async def pulse(hub: Hub) -> None:
                 _show_who_has_seen(hub)
             with parts.part("progress"):
                 _keep_reached(hub)
+                if hub.unkept:
+                    hub.spawn(keep_notices(hub))
             with parts.part("people sent away"):
                 await _send_purged_away(hub)
             with parts.part("purges"):

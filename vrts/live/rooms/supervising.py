@@ -1,9 +1,11 @@
 """What a supervisor may do besides: people, control right, rooms, scenes, the wall, logs."""
 
+import contextlib
+
 from vrts.live.lasting.clock import steady, wall
 from vrts.live.names import display_name, readable
 from vrts.live.notices.announcement import next_announcement
-from vrts.live.notices.kept import EVERYWHERE, KeptNotice, end_notice, keep_notice
+from vrts.live.notices.kept import EVERYWHERE, KeptNotice
 from vrts.live.protocol.from_server import LogFile
 from vrts.live.protocol.from_supervisors import (
     Allow,
@@ -29,13 +31,14 @@ from vrts.live.refusal import NotObeyed
 from vrts.live.rooms.audience import EVERYBODY
 from vrts.live.rooms.entering import send_away
 from vrts.live.rooms.hub import Hub
-from vrts.live.rooms.keeping import control_changed, record, say
+from vrts.live.rooms.keeping import control_changed, keep_notice_soon, record, say
 from vrts.live.rooms.member import Member
 from vrts.live.rooms.opening import change, close, make_room
 from vrts.live.rooms.room import Room
 from vrts.live.rooms.sessions import Sessions
 from vrts.live.store.bars import allow, bar, mute, same_browser, unmute
 from vrts.live.store.database import Connection
+from vrts.live.store.waiting.journal import NO_ROOM
 
 Supervision = (
     HandOver
@@ -106,9 +109,9 @@ async def supervise(
         case Broadcast():
             await _broadcast(hub, sessions, member, message)
         case EndAnnouncement():
-            await hub.database.do(lambda connection: end_notice(connection, EVERYWHERE))
             hub.announcement = None
             hub.show_announcement()
+            keep_notice_soon(hub, EVERYWHERE, None)
         case WatchWall():
             member.wall = message.on
         case Project():
@@ -220,12 +223,13 @@ async def _broadcast(hub: Hub, sessions: Sessions, member: Member, message: Broa
         told = next_announcement(hub.announcement, wall(), name, text)
         told.account = member.account.id
         kept = KeptNotice(EVERYWHERE, told.id, told.at, told.account, name, text)
-        await hub.database.do(lambda connection: keep_notice(connection, kept))
         hub.announcement = told
         hub.show_announcement()
+        keep_notice_soon(hub, EVERYWHERE, kept)
     for room in list(hub.rooms.values()):
         if text:
-            await say(hub, room, member, text, EVERYBODY, None)
+            with contextlib.suppress(NO_ROOM):  # all see it: it need not be in the chat as well
+                await say(hub, room, member, text, EVERYBODY, None)
         if message.scene:
             await _set_scene(hub, sessions, room, member, message.scene)
 

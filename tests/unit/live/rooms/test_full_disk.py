@@ -10,11 +10,18 @@ from typing import Any
 from tests.support_live import Browser, LiveServer
 from tests.unit.live.rooms.test_session_deaths import boss_cookie, done, session_of, settled
 from vrts.live.logs.log_file import read_log
+from vrts.live.notices.kept import EVERYWHERE, KeptNotice, notice_of
+from vrts.live.places import places_of
+from vrts.live.protocol.from_server import Stopped
+from vrts.live.rooms.hub import Hub
+from vrts.live.rooms.keeping import end_stopped, keep_notice_soon, keep_notices
+from vrts.live.rooms.room import Room
 from vrts.live.session.views.frame import unpacked
-from vrts.live.settings import DATABASE
+from vrts.live.settings import DATABASE, Settings
 from vrts.live.store import log
 from vrts.live.store.database import Answer, Connection, Database, opened
 from vrts.live.store.log import Entry
+from vrts.live.store.rooms import KeptRoom
 from vrts.live.store.waiting.journal import Journal
 
 
@@ -51,6 +58,8 @@ def test_nothing_is_acknowledged_while_the_disk_is_full(tmp_path: Path) -> None:
         boss.send("say", text="hello")
         assert boss.wait("refused")["code"] == "disk"
         assert server.request("POST", "/enter", {"code": server.code, "name": "x"}).status == 503
+        boss.send("broadcast", text="save your work")
+        assert boss.wait("announced")["text"] == "save your work"
         until_it_took_effect(boss)  # a panic before that would have ended it
         boss.send("panic")  # is always obeyed
         session_of(server).kill()  # and even now nothing is lost
@@ -80,6 +89,38 @@ class Failing(Database):
             self.left -= 1
             raise sqlite3.OperationalError("database or disk is full")
         return await super().do(job)
+
+
+def test_what_everybody_has_to_see_is_kept_when_the_disk_has_room_again(tmp_path: Path) -> None:
+    database = Failing(tmp_path / "live.sqlite")
+    hub = Hub(Settings(tmp_path, places_of(("cans-on-bases",))), database)
+    room = hub.rooms["r"] = Room(KeptRoom("r", "Class", "cans-on-bases", 1, True, 0.0, 0.0))
+
+    async def kept() -> list[str]:
+        database.left = 0
+        rows = [await database.do(lambda c, r=r: notice_of(c, r)) for r in ("r", EVERYWHERE)]
+        return [row.name for row in rows if row is not None]
+
+    async def work() -> None:
+        stop = KeptNotice("r", 0, 1.0, None, "Anna", "operator")
+        keep_notice_soon(hub, "r", stop)
+        keep_notice_soon(hub, EVERYWHERE, stop._replace(room=EVERYWHERE, account=77))  # purged
+        await asyncio.sleep(0.0)
+        assert hub.unkept
+        assert await kept() == []
+        await keep_notices(hub)
+        assert await kept() == ["Anna"]
+        room.stopped = Stopped(1.0, "", "Anna", "operator")
+        database.left = 1
+        end_stopped(hub, room)
+        await asyncio.sleep(0.0)
+        assert await kept() == ["Anna"]
+        await keep_notices(hub)
+        assert await kept() == []
+        assert not hub.unkept
+        await hub.stop()
+
+    asyncio.run(work())
 
 
 def test_records_are_written_in_order_whatever_fails_between(tmp_path: Path) -> None:

@@ -1,12 +1,15 @@
 """Announcements and stops: who has seen one, when it is over, and who may say so."""
 
+import time
 from pathlib import Path
 
 import pytest
 
-from tests.support_live import LiveServer
+from tests.support_live import PATIENCE, LiveServer
 from vrts.live.notices.announcement import Announcement, next_announcement
-from vrts.live.notices.stopping import is_panic, moves
+from vrts.live.notices.stopping import MOVING, is_panic, moves
+from vrts.live.settings import DATABASE
+from vrts.live.store.database import opened
 
 
 def test_people_who_have_seen_an_announcement_are_counted_once_and_while_they_are_here() -> None:
@@ -40,6 +43,17 @@ def test_panic_is_pressed_or_typed() -> None:
     assert not is_panic(b'{"type":"let_go"}')
 
 
+def until_kept(server: LiveServer, *, notices: int, time_s: float) -> None:
+    """Wait until so many notices are in the database, and that the session has come so far."""
+    connection = opened(server.folder / DATABASE)
+    until = time.monotonic() + PATIENCE
+    query = "SELECT (SELECT count(*) FROM notice)=? AND (SELECT max(time_s) FROM reached)>=?"
+    while connection.execute(query, (notices, time_s)).fetchone() != (1,):
+        assert time.monotonic() < until
+        time.sleep(0.02)
+    connection.close()
+
+
 @pytest.mark.thorough
 def test_what_everybody_has_to_see_is_seen_again_after_a_restart(tmp_path: Path) -> None:
     with LiveServer(tmp_path / "live") as server:
@@ -53,7 +67,8 @@ def test_what_everybody_has_to_see_is_seen_again_after_a_restart(tmp_path: Path)
         anna.command(lease, "line", line="PANIC")
         stopped = anna.wait("stopped", lambda m: m["at"] > 0.0)
         assert (stopped["name"], stopped["role"]) == ("Anna", "operator")
-        anna.quiet(0.3)
+        rests = anna.wait("now", lambda m: m["status"]["mode"] not in MOVING)["status"]
+        until_kept(server, notices=2, time_s=rests["time_s"])
         server.close_browsers()
         server.kill()
         server.start(str(server.port))
