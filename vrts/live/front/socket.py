@@ -1,7 +1,8 @@
 """One WebSocket: who it is, the first message, then one message after another.
 
 PANIC overtakes: messages are read while an earlier one is still being obeyed. Commands that came
-before it and wait are not carried out after it.
+before it and wait are not carried out after it. Only where the right to it may be among what waits,
+such as a request for control, it waits as well.
 """
 
 import asyncio
@@ -24,7 +25,7 @@ from vrts.live.refusal import NotObeyed
 from vrts.live.rooms.entering import drop, enter, make_way_for_one
 from vrts.live.rooms.hub import DISK_HELP, NO_DISK, Hub
 from vrts.live.rooms.member import Member
-from vrts.live.rooms.obeying import obey
+from vrts.live.rooms.obeying import may_panic, obey
 from vrts.live.rooms.sessions import Sessions
 from vrts.live.store.accounts import Account
 from vrts.live.store.waiting.journal import NO_ROOM
@@ -130,9 +131,10 @@ async def _listen(
                 member.bad += 1
                 member.tell(Refused(0, "message", str(problem)))
             else:
-                if isinstance(message, Panic):
+                came = _Came(message, len(text), member.heard)
+                if isinstance(message, Panic) and not (waiting.any and _may_not(hub, member)):
                     await _obey(hub, sessions, member, message)  # at once: it waits for nothing
-                elif not waiting.put(_Came(message, len(text), member.heard)):
+                elif not waiting.put(came):
                     member.excess += 1
                     member.tell(Refused(_number(message), "rate", TOO_MANY, "slow down"))
             if member.bad > MOST_BAD or member.excess > limits.EXCESS:
@@ -156,6 +158,11 @@ class _Waiting:
         self._queue: asyncio.Queue[_Came | None] = asyncio.Queue()
         self._length = 0
 
+    @property
+    def any(self) -> bool:
+        """Whether one waits."""
+        return not self._queue.empty()
+
     def put(self, came: _Came) -> bool:
         """Let a message wait; return whether there was room."""
         if self._queue.qsize() >= MOST_WAITING or self._length > LONGEST_WAITING:
@@ -174,6 +181,12 @@ class _Waiting:
         if came is not None:
             self._length -= came.length
         return came
+
+
+def _may_not(hub: Hub, member: Member) -> bool:
+    """Return whether somebody may not stop the arm now; what waits may give the right to."""
+    room = hub.rooms.get(member.room)
+    return room is not None and not may_panic(room, member)
 
 
 async def _obey_all(

@@ -108,8 +108,13 @@ def _ask_for_control(hub: Hub, room: Room, member: Member, now: float) -> None:
         control_changed(hub, room)
 
 
+def may_panic(room: Room, member: Member) -> bool:
+    """Return whether somebody may stop the arm."""
+    return member.id == room.control.holder or member.supervisor
+
+
 def _panic(room: Room, member: Member) -> None:
-    if member.id != room.control.holder and not member.supervisor:
+    if not may_panic(room, member):
         raise NotObeyed("role", "panic is for the operator and the supervisor")
     room.panic(member)
 
