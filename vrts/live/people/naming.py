@@ -13,7 +13,7 @@ LONGEST_GIVEN: Final = 160  # characters
 RESERVED: Final = (
     *("supervisor", "operator", "viewer", "guest"),
     *("vrts", "server", "system", "admin", "administrator", "moderator"),
-    *("all", "everybody", "nobody", "you"),
+    *("all", "everybody", "somebody", "nobody", "you"),
 )
 
 

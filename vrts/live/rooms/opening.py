@@ -157,8 +157,9 @@ async def forget_purged(hub: Hub) -> None:
         room.notes = [n for n in room.notes if n not in noted or (n.at_s, n.name) in there]
         room.have_said(_left(room, said))
         stop = await hub.database.do(lambda connection, room=room: notice_of(connection, room.id))
-        if stop is not None and room.stopped is not None and stop.name == SOMEBODY:
-            room.forget(room.stopped.name)
+        by = None if room.stopped is None else room.stopped.name
+        if stop is not None and stop.account is None and by is not None and by != SOMEBODY:
+            room.forget(by)
         room.kept = room.kept._replace(name=names.get(room.id, room.kept.name))
     hub.purges = count  # not before all is forgotten: what fails is done again
     hub.rooms_changed()
