@@ -108,7 +108,7 @@ def _limits() -> Iterator[tuple[str, str, str]]:
     yield (
         "saved programs on their way at once",
         f"{limits.BODIES} of a person, {limits.ALL_BODIES} in all",
-        "try again",
+        "try again; of all, the slowest of who sends most ends",
     )
     yield "connections that have said nothing yet", f"{limits.UNJOINED}", "the oldest ends"
     yield "connections without a page's line", f"{patient.MOST}", "the oldest that waits ends"

@@ -4,6 +4,7 @@ One's own shelf is for everybody who is logged in, also after their room was clo
 room who may command there saves, and who is in it reads.
 """
 
+import asyncio
 from collections import Counter, OrderedDict
 from typing import Final, Literal, NamedTuple, TypeVar
 
@@ -56,7 +57,7 @@ FULL_GUESTS: Final = (
     "the programs of all guests take all the space that there is",
     "download yours, and ask the supervisor to delete some",
 )
-
+BUSY: Final = ("too many programs are sent at once", "try again")
 
 Body = TypeVar("Body", KeepProgram, DropProgram)
 
@@ -77,7 +78,7 @@ class ProgramPages:
         self._who = who
         self._buckets: OrderedDict[int, Bucket] = OrderedDict()
         self._together = GuestsTogether()
-        self._reading: Counter[int] = Counter()  # programs that accounts send at the moment
+        self._reading: dict[asyncio.Timeout, int] = {}  # programs that accounts send, by their end
 
     def routes(self) -> list[Route]:
         """Return where they are asked."""
@@ -180,16 +181,24 @@ class ProgramPages:
             return _nobody()
         if not self._lets(account):
             return refused(429, "limit", "you save too often", "wait a few seconds")
-        reading = self._reading
-        if reading[account.id] >= BODIES or reading.total() >= ALL_BODIES:
-            return refused(503, "busy", "too many programs are sent at once", "try again")
-        reading[account.id] += 1
+        own = Counter(self._reading.values())
+        if own[account.id] >= BODIES:
+            return refused(503, "busy", *BUSY)
+        if len(self._reading) >= ALL_BODIES and not account.supervisor:
+            # of those who send most the one that began first: it is slow, or never ends
+            slow = max(self._reading, key=lambda one: own[self._reading[one]])
+            del self._reading[slow]
+            slow.reschedule(0.0)
+        ends = asyncio.timeout(None)
         try:
-            return await read_body(request, kind, longest=LONGEST_BODY, what="program")
+            async with ends:
+                if not account.supervisor:  # who leads always gets through
+                    self._reading[ends] = account.id
+                return await read_body(request, kind, longest=LONGEST_BODY, what="program")
+        except TimeoutError:
+            return refused(503, "busy", *BUSY)
         finally:
-            reading[account.id] -= 1
-            if not reading[account.id]:
-                del reading[account.id]
+            self._reading.pop(ends, None)
 
     async def _place(
         self, request: Request, room: str, shelf: Literal["own", "room"]
