@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 import uvicorn
 
+from vrts.live.callers.open_files import raise_limit
 from vrts.live.callers.patient import PatientProtocol
 from vrts.live.callers.pieces import InPieces
 from vrts.live.door import DoorProtocol
@@ -97,6 +98,7 @@ def _serve(
         say(line)
     if open_link is not None:
         open_link(f"{entrances.address}/#enter={entrances.supervisor}")
+    PatientProtocol.most = raise_limit() // 2  # the others are for WebSockets and sessions
     config = uvicorn.Config(
         InPieces(app),
         http=PatientProtocol,

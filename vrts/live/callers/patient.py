@@ -26,6 +26,7 @@ class PatientProtocol(AutoHTTPProtocol):
     """uvicorn's own protocol, with an end to patience."""
 
     _all: ClassVar["OrderedDict[PatientProtocol, None]"] = OrderedDict()  # last head last
+    most: ClassVar[int] = MOST  # fewer where the process may have few files open
     _transport: asyncio.Transport
     _since = 0.0  # when it began to wait for the head, or the answer began [s]
     _answered = 0.0  # when it was last seen to be answered [s]
@@ -40,7 +41,7 @@ class PatientProtocol(AutoHTTPProtocol):
         self._transport = transport
         self._since = asyncio.get_running_loop().time()
         self._all[self] = None
-        if len(self._all) > MOST:
+        if len(self._all) > min(MOST, self.most):
             gives_way = next((one for one in self._all if not one._answers), None)
             if gives_way is None:
                 sent = (one for one in self._all if one._to_send)

@@ -3,6 +3,8 @@
 import asyncio
 import logging
 import socket
+import subprocess
+import sys
 from collections.abc import AsyncGenerator, Iterator
 from contextlib import asynccontextmanager
 
@@ -220,3 +222,15 @@ def test_who_sends_far_too_many_frames_is_ended_and_holds_up_nobody(
 def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[LiveServer]:
     with LiveServer(tmp_path_factory.mktemp("floods") / "live") as started:
         yield started
+
+
+def test_as_many_files_may_be_open_as_the_system_allows() -> None:
+    words = (
+        "import resource as r; from vrts.live.callers.open_files import raise_limit;"
+        "r.setrlimit(r.RLIMIT_NOFILE, ({soft}, {hard}));"
+        "print(raise_limit(), *r.getrlimit(r.RLIMIT_NOFILE))"
+    )
+    for soft, hard in ((256, 700), (700, 700)):
+        command = [sys.executable, "-c", words.format(soft=soft, hard=hard)]
+        said = subprocess.run(command, capture_output=True, text=True, check=True).stdout
+        assert said.split() == ["700", "700", "700"]
