@@ -29,6 +29,7 @@ HOUR: Final = 3600.0  # [s]
 SCENES: Final = ("cans-on-bases", "examples/02-dish-on-stand", "examples/03-around-obstacles")
 PASSWORD: Final = "a long one for a term"
 OLDER: Final = "this is an older state of the database"  # which every copy is, a moment later
+ENDS_S: Final = 10.0  # within which a process ends that nobody needs
 AT_ONCE: Final = 5  # sessions that die together
 # what may wait for the disk, two that compare passwords, the database's and the server's own
 THREADS: Final = min(32, (os.cpu_count() or 1) + 4) + 2 + 2
@@ -69,7 +70,7 @@ class Term:
         self._copies = folder / "restored"
         self.died = self.killed = self.backups = self.hour = 0
         self.looks: list[Look] = []
-        self.seen: set[int] = set()  # numbers of all processes below the server
+        self.seen: set[psutil.Process] = set()  # all below the server: by number and beginning
         add_user(self.folder, "Lehrerin", PASSWORD, supervisor=True)
         add_user(self.folder, "Jürgen", PASSWORD, supervisor=False)
         ahead = Ahead(folder / "ahead")
@@ -275,6 +276,7 @@ class Term:
     def _kill_the_server(self) -> None:
         """Kill the server and with it all sessions, start it again, and have operators back."""
         port = str(self.server.port)
+        self._see()
         self.server.kill()
         self.server.close_browsers()
         self.killed += 1
@@ -329,14 +331,17 @@ class Term:
 
     def _see(self) -> None:
         own = psutil.Process(self.server.process.pid)
-        self.seen |= {child.pid for child in own.children(recursive=True)}
+        self.seen |= set(own.children(recursive=True))
 
-    def orphans(self) -> list[int]:
-        """Return processes that were once below the server and have nobody above them now."""
+    def orphans(self) -> list[str]:
+        """Return processes of any kind that were once below a server and are below none now."""
         self._see()
         own = psutil.Process(self.server.process.pid)
-        below = {child.pid for child in own.children(recursive=True)}
-        return [pid for pid in self.seen - below if psutil.pid_exists(pid) and _sessions(pid)]
+        left = self.seen - set(own.children(recursive=True))
+        until = time.monotonic() + ENDS_S
+        while (alive := [one for one in left if _lives(one)]) and time.monotonic() < until:
+            time.sleep(0.1)
+        return [_words(one) for one in alive]
 
     def _look(self) -> None:
         here = len(self.desks) + 1
@@ -383,8 +388,16 @@ def _is_muted(people: list[dict[str, object]], person: str) -> bool:
     return any(one["id"] == person and one["muted"] for one in people)
 
 
-def _sessions(pid: int) -> bool:
+def _lives(process: psutil.Process) -> bool:
+    """Return whether it is still this one, and does not only wait to be buried."""
     try:
-        return "vrts.live.session" in psutil.Process(pid).cmdline()
+        return process.is_running() and process.status() != psutil.STATUS_ZOMBIE
     except psutil.Error:
         return False
+
+
+def _words(process: psutil.Process) -> str:
+    try:
+        return f"{process.pid} {' '.join(process.cmdline())}"
+    except psutil.Error:
+        return f"{process.pid}"
