@@ -2,10 +2,13 @@
 
 A shelf is where programs lie: one's own, or that of a room, which all who may enter it share. What
 a person has saved counts against that person alone, so nobody pushes out what others saved. When a
-room is closed, its shelf ends: the newest that each person saved there goes to their own.
+room is closed, its shelf ends: the newest that each person saved there goes to their own,
+under a name with the room's where they have another text of that name.
 """
 
+import logging
 import math
+import re
 import sqlite3
 from typing import Final, NamedTuple
 
@@ -16,7 +19,9 @@ LONGEST_NAME: Final = 40  # characters
 MOST_OF_A_SHELF: Final = 200  # programs of a room
 MOST_OF_A_ROOM: Final = 20_000_000  # characters, of all versions
 MOST_OF_GUESTS: Final = 400_000_000  # characters, of all that have no password together
+ROOM_IN_NAME: Final = 16  # characters of a room's name in that of a program
 COUNT_S: Final = 60.0  # how often what guests have is counted at most: that reads it all
+_log = logging.getLogger("vrts.live")
 
 
 class Version(NamedTuple):
@@ -135,8 +140,23 @@ def end_shelf(connection: sqlite3.Connection, room: str) -> None:
         version = Version._make(columns)
         assert version.account is not None
         own = own_shelf(version.account)
-        newest = next(iter(versions(connection, own, version.name)), None)
-        save(connection, own, version, text, 0 if newest is None else newest.number)
+        name = _free_name(connection, own, version.name, room, text)
+        done = save(connection, own, version._replace(name=name), text, 0)
+        if done.full:
+            _log.warning(f"a program of room {room} has no room among those of who saved it")
+
+
+def _free_name(connection: sqlite3.Connection, own: str, name: str, room: str, text: str) -> str:
+    """Return the name, or one with the room's where another text has it: none is pushed back."""
+    row = connection.execute("SELECT name FROM room WHERE id=?", (room,)).fetchone()
+    called = re.sub(r"[^\w .-]", "", row[0] if row else "").strip()[:ROOM_IN_NAME]
+    tried, number = name, 1
+    while (kept := next(iter(versions(connection, own, tried)), None)) is not None:
+        if text_of(connection, own, tried, kept.number) == text:
+            return tried
+        ending = f" {called or room}" if number == 1 else f" {called or room} {number}"
+        tried, number = f"{name[: LONGEST_NAME - len(ending)]}{ending}", number + 1
+    return tried
 
 
 def end_closed_shelves(connection: sqlite3.Connection) -> None:

@@ -187,7 +187,8 @@ def test_the_shelf_of_a_closed_room_goes_to_who_saved_there(database: sqlite3.Co
     assert programs.programs(database, ROOM) == []
     assert len(programs.programs(database, room_shelf("open"))) == 1
     assert [
-        (number, programs.text_of(database, own_shelf(anna), "pick", number)) for number in (1, 2)
-    ] == [(1, "own"), (2, "2")]
+        (one.name, one.number, programs.text_of(database, own_shelf(anna), one.name, 1))
+        for one in programs.programs(database, own_shelf(anna))
+    ] == [("pick", 1, "own"), ("pick r1", 1, "2")]
     kept = [(one.name, one.length) for one in programs.programs(database, own_shelf(ben))]
     assert kept == [("pick", 1), ("place", 1)]
