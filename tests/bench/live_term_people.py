@@ -20,6 +20,7 @@ GIVEN: Final = (
     *("Anna", "Łukasz", "Σοφία", "Дмитрий", "美咲", "김서연", "अनन्या", "นภา", "محمد", "נועה"),
     *("Nguyễn Thị Hà", "ጌታቸው", "გიორგი", "Արմեն", "தமிழ்", "李雷", "さくら", "ಅನಿತಾ", "Zoë", "Ngũgĩ"),
 )
+ERROR = 1  # severity of a finding, as the protocol counts
 PROGRAM: Final = """\
 .PROGRAM turn()
     DRIVE 1,{angle},60
