@@ -105,6 +105,12 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     items.sort(key=lambda item: -lasts[group(item.nodeid)])
 
 
+def pytest_sessionstart(session: pytest.Session) -> None:
+    """Let the process that divides tests among workers collect garbage: it reads none itself."""
+    if session.config.pluginmanager.hasplugin("dsession"):
+        gc.enable()
+
+
 def pytest_collection_finish() -> None:
     """Let the collector of garbage look less often, and not at what stays: tests and modules."""
     gc.enable()

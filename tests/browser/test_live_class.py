@@ -130,6 +130,13 @@ def test_the_supervisor_takes_over_freezes_and_makes_rooms(
     lead.page.goto(f"http://{server.host}/?projector")
     lead.until("Boolean(window.vrts?.world?.state)")
     assert lead.page.locator("#control-button").is_hidden()
+    lead.until(f"{SHOWN} && vrts.store.now.room.id === '{group}'")
+    fetched = "performance.getEntriesByType('resource').some(({name}) => name.includes('/scene/'))"
+    assert not lead.value(fetched), "the page brought the scene of the room that is shown"
+    eye = "vrts.world.viewer.camera.position.y"
+    before = lead.value(eye)
+    lead.page.press("#view", "ArrowLeft")
+    lead.until(f"Math.abs({eye} - {before}) > 0.01")
     lead.value(f"vrts.connection.send('close_room', {{ room: '{group}' }})")
     viewer.until("vrts.world.viewer === null")  # nobody looks on at a room that is no more
     viewer.until("document.getElementById('picture-names').childElementCount === 0")

@@ -41,6 +41,10 @@ def test_one_looks_back_and_goes_on_from_there_while_the_session_goes_on(
     for line in ("DO DRIVE 1,40,100", "DO SIGNAL 3", "DO DRIVE 1,-60,100"):
         anna.ask(line)
     ben.until(f"{turned(-20)} && {IDLE} && {LIVE}")
+    off = "(window.changes = [], new MutationObserver((rows) => changes.push(...rows)))"
+    ben.value(f"{off}.observe(document.getElementById('past-live'), {{ attributes: true }})")
+    ben.page.wait_for_timeout(300)
+    assert ben.value("changes.length") == 0, "what is off already is not put off at every frame"
 
     focus(ben)
     ben.page.keyboard.press("Home")

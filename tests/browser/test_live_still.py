@@ -44,14 +44,19 @@ def held_back(
     *,
     path: str,
     dark: bool,
+    before: str = "",
 ) -> tuple[Desk, Callable[[], None]]:
-    """Open the room while all that is not needed for the first picture stays on its way."""
+    """Open the room while all that is not needed for the first picture stays on its way.
+
+    `before` is what a script does before the page begins.
+    """
     context = browser.new_context(
         viewport={"width": size[0], "height": size[1]},
         color_scheme="dark" if dark else "light",
         reduced_motion="reduce",
     )
     context.set_default_timeout(PATIENCE * 1000)
+    context.add_init_script(before)
     view = Desk(context.new_page(), context)
     view.page.on("console", lambda m: view.messages.append(f"{m.type}: {m.text}"))
     view.page.on("pageerror", lambda e: view.messages.append(f"exception: {e}"))
@@ -90,6 +95,10 @@ def test_the_3d_view_takes_over_from_a_still_without_a_jump(
     view.until(f"Boolean({STILL})")
     box, still = view.value(f"({BOX})()"), pixels(view.page)
     assert view.page.locator("#settings-button").is_visible() is False, "it does not work yet"
+    link = "document.getElementById('link-state').className"
+    view.value(f"{link} = 'chip waiting'")
+    assert view.page.locator("#link-state").is_visible(), "a connection that is lost is told"
+    view.value(f"{link} = 'chip'")
     go_on()
     view.until(SHOWN)
     gone = "['early', 'unready'].every((name) => !document.body.classList.contains(name))"
@@ -100,5 +109,40 @@ def test_the_3d_view_takes_over_from_a_still_without_a_jump(
     with_arm = pixels(view.page)
     view.page.evaluate(WITHOUT)
     assert arm_share(still, with_arm, pixels(view.page)) > 0.85
+    assert view.complaints() == []
+    view.context.close()
+
+
+BROKEN = (
+    "CanvasRenderingContext2D.prototype.putImageData = () => { throw new Error('no picture'); };"
+)
+
+
+@pytest.mark.thorough
+def test_a_still_that_cannot_be_drawn_hides_nothing(
+    browser: Browser, server: LiveServer, cookie: str
+) -> None:
+    view, _ = held_back(browser, server, cookie, (390, 844), path="/", dark=False, before=BROKEN)
+    view.until(f"{STILL} === null && !document.body.classList.contains('early')")
+    assert view.page.locator("#link-state").is_visible()
+    (said,) = view.complaints()
+    assert "the first picture could not be drawn: Error: no picture" in said
+    view.context.close()
+
+
+@pytest.mark.thorough
+def test_a_page_of_before_an_upgrade_says_that_it_has_to_be_loaded_again(
+    browser: Browser, server: LiveServer, cookie: str
+) -> None:
+    view, go_on = held_back(browser, server, cookie, (1366, 768), path="/", dark=False)
+    go_on()
+    view.until(SHOWN)
+    view.value("document.querySelector('meta[name=vrts-made]').content = 'before'")
+    view.page.click("#tab-pointer")
+    told = "document.getElementById('toasts').textContent"
+    again = "(the server has another version of vrts now): load the page again"
+    view.until(f"{told}.includes({again!r})")
+    view.page.click("#tab-editor")
+    view.until("document.getElementById('panel-editor').innerText.includes('load the page again')")
     assert view.complaints() == []
     view.context.close()

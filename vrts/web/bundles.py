@@ -5,13 +5,18 @@ fifty small modules take longer than their bytes. What a page needs at once is o
 loads later one file for each place where it says `import("…")`. A module stands in one bundle only,
 so its state is there once; under its own address a browser finds the same module, taken from there.
 
+A page that was opened before an upgrade holds modules of before, and what it loads later is of now.
+So a page knows which bundles it belongs to, and what is loaded later begins by looking there: it
+runs in no other page.
+
 Nothing is built beforehand and nothing is parsed: our modules keep to one style of imports and
 exports (a test looks), and what is met besides raises `ValueError`. Vendored modules stay files of
 their own.
 """
 
+import hashlib
 import re
-from functools import cache
+from functools import cache, cached_property
 from typing import Final, NamedTuple
 
 from vrts.web.assets import asset, closure, imports, target
@@ -20,6 +25,7 @@ _COMMENT = re.compile(r"/\*\*(?:[^*]|\*(?!/))*\*/|^[ \t]*//.*\n", re.M)
 _IMPORT = re.compile(r"""^import\s+(?:\{([^}]*)\}\s*from\s*)?["']([^"']+)["'];?[ \t]*\n""", re.M)
 _EXPORT = re.compile(r"^export (?=(?:async )?function (\w+)|class (\w+)|const (\w+))", re.M)
 _LATER = re.compile(r"""\bimport\((["'])(\.{1,2}/[^"']+)\1\)(?=[),;\]])""")
+_NOT_FOUND = re.compile(r"""\bimport\(\s*["'`]\..*""")  # an import that `_LATER` does not know
 _FOREIGN = re.compile(
     r"^(?:import|export)\b.*|^(?![ \t]|async |\}).*\bawait\b.*|\bimport\.meta\b.*", re.M
 )
@@ -27,6 +33,11 @@ _SHEET = re.compile(r'[ \t]*<link rel="stylesheet" href="/web/([^"]+)">\n')
 _SCRIPT = re.compile(r'<script type="module" src="/web/([^"]+)">')
 _LOW: Final = ' fetchpriority="low"'
 _VENDOR: Final = "vendor/"
+_MADE: Final = "vrts-made"  # name of the page's `meta` that says which bundles it belongs to
+_OF_NOW: Final = (  # what is loaded later begins with it
+    f"if (document.querySelector('meta[name={_MADE}]')?.content !== \"%s\") "
+    'throw new Error("the server has another version of vrts now");\n'
+)
 
 
 class Module(NamedTuple):
@@ -68,7 +79,7 @@ class Bundles:
         own = [path for path in _ours(bundle) if self._owners[path] == bundle]
         found: list[str] = []
         for path in own:
-            _after_its_imports(path, own, found)
+            _after_its_imports(path, own, found, ())
         return tuple(found)
 
     def text(self, path: str) -> str:
@@ -97,7 +108,8 @@ class Bundles:
         text = _SHEET.sub(lambda match: one if match[1] == first else "", text)
         vendored = (p for e in self.entries for p in closure(e) if p.startswith(_VENDOR))
         first_entry, *rest = dict.fromkeys([*self.entries, *vendored])
-        links = [_preload(first_entry, ""), *(_preload(path, _LOW) for path in rest)]
+        made = f'  <meta name="{_MADE}" content="{self.made}">\n'
+        links = [made, _preload(first_entry, ""), *(_preload(path, _LOW) for path in rest)]
         for entry in self.entries[1:]:
             text = text.replace(f'src="/web/{entry}"', f'src="/web/{entry}"{_LOW}')
         return text.replace("</head>", f"{''.join(links)}</head>", 1)
@@ -106,6 +118,12 @@ class Bundles:
     def sheet(self) -> str:
         """The path of the style sheet that holds all of the page's."""
         return self.page.removesuffix(".html") + ".css"
+
+    @cached_property
+    def made(self) -> str:
+        """Tell these bundles from those of another version."""
+        every = "\0".join(f"{path}\0{asset(path)}" for path in sorted(self._owners))
+        return hashlib.sha256(every.encode()).hexdigest()[:16]
 
     def css(self) -> str:
         """Return the style sheets of the page, in their order."""
@@ -134,9 +152,12 @@ class Bundles:
         head = (self._from(source) for source in dict.fromkeys(wanted) if source not in parts)
         pieces = [_closed(part) for part in parts if part != path]
         exports = _module(path).exports  # the bundle has these itself, and all its modules by name
+        of_now = "" if path in self.entries else _OF_NOW % self.made
         own = f"const {_name(path)} = {{ {', '.join(exports)} }};\n"
         given = ", ".join([*map(_name, parts), *exports])
-        return f"{''.join(head)}{''.join(pieces)}{_opened(path)}{own}export {{ {given} }};\n"
+        return (
+            f"{''.join(head)}{of_now}{''.join(pieces)}{_opened(path)}{own}export {{ {given} }};\n"
+        )
 
     def _from(self, source: str) -> str:
         if source.startswith(_VENDOR):
@@ -172,11 +193,14 @@ def _name(path: str) -> str:
     return "$" + re.sub(r"\W", "_", path.removesuffix(".js"))
 
 
-def _after_its_imports(path: str, own: list[str], found: list[str]) -> None:
+def _after_its_imports(path: str, own: list[str], found: list[str], above: tuple[str, ...]) -> None:
     if path in found or path not in own:
         return
+    if path in above:
+        way = " imports ".join((*above[above.index(path) :], path))
+        raise ValueError(f"{path} cannot stand in a bundle: {way}")
     for needed in imports(path):
-        _after_its_imports(needed, own, found)
+        _after_its_imports(needed, own, found, (*above, path))
     found.append(path)
 
 
@@ -210,4 +234,7 @@ def taken_apart(path: str, source: str) -> Module:
     if foreign:
         raise ValueError(f"{path} cannot stand in a bundle: {foreign[0]}")
     body = _LATER.sub(lambda match: f'import("/web/{target(path, match[2])}")', body)
+    unknown = _NOT_FOUND.search(body)
+    if unknown:
+        raise ValueError(f"{path} cannot stand in a bundle: {unknown[0]}")
     return Module(taken, body if body.endswith("\n") else f"{body}\n", exports)

@@ -4,6 +4,7 @@ import re
 
 import pytest
 
+from vrts.web import bundles
 from vrts.web.assets import CODEMIRROR, THREE, asset, closure, imports
 from vrts.web.bundles import Bundles, taken_apart
 
@@ -101,11 +102,43 @@ def test_imports_and_exports_are_what_a_bundle_makes_of_them() -> None:
         "const me = await who();",
         "await begin();",
         "const here = import.meta.url;",
+        'const one = import("./later.js").then((all) => all.one) + import("./b.js") + 1;',
+        'void import( "./later.js");',
+        "void import(`./later.js`);",
     ],
 )
 def test_another_style_is_refused(line: str) -> None:
     with pytest.raises(ValueError, match=r"live/a\.js cannot stand in a bundle"):
         taken_apart("live/a.js", f"const one = 1;\n{line}\n")
+
+
+def test_what_is_loaded_later_runs_only_in_the_page_that_it_belongs_to() -> None:
+    assert f'<meta name="vrts-made" content="{PAGE.made}">' in PAGE.html()
+    later = [path for path in PAGE.paths if path not in PAGE.entries]
+    assert "live/editor/workbench.js" in later
+    for path in later:
+        begins = re.sub(r"^import .*\n", "", PAGE.text(path), flags=re.M)
+        assert begins.startswith("if (document.querySelector("), path
+        assert PAGE.made in begins.splitlines()[0]
+    assert all(PAGE.made not in PAGE.text(entry) for entry in PAGE.entries)
+
+
+def test_other_modules_are_another_make(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert Bundles("live/index.html").made == PAGE.made
+    monkeypatch.setattr(bundles, "asset", lambda path: f"{asset(path)}\n")
+    assert Bundles("live/index.html").made != PAGE.made
+
+
+def test_modules_that_import_each_other_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    ring = {"live/a.js": ("live/b.js",), "live/b.js": ("live/c.js",), "live/c.js": ("live/b.js",)}
+    monkeypatch.setattr(bundles, "imports", ring.__getitem__)
+    monkeypatch.setattr(bundles, "closure", lambda _entry: tuple(ring))
+    monkeypatch.setattr(bundles, "_later", lambda _path: ())
+    monkeypatch.setattr(
+        bundles, "asset", lambda _path: '<script type="module" src="/web/live/a.js">'
+    )
+    with pytest.raises(ValueError, match=r"live/b\.js imports live/c\.js imports live/b\.js"):
+        Bundles("live/index.html").parts("live/a.js")
 
 
 def _wanted(path: str) -> list[tuple[str, set[str]]]:

@@ -48,9 +48,7 @@ class Pages:
         carried = await self._carried(request)
         if carried is None or found is None:
             return self._file(request, PAGE)
-        block = b'<script type="application/json" id="carried">%s</script>\n</body>'
-        data = msgspec.json.encode(carried).replace(b"<", rb"\u003c")  # nothing ends the block
-        page = content(found.plain.replace(b"</body>", block % data, 1), found.type)
+        page = await asyncio.to_thread(_with, found, carried)  # others are served meanwhile
         return page.answer(request, cache="no-store")
 
     async def file(self, request: Request) -> Response:
@@ -181,6 +179,13 @@ class Pages:
         settings = self._hub.settings
         rooms, may_reset = self._hub.entries(account), settings.students_reset
         return Me(account.name, account.supervisor, rooms, settings.alone, may_reset)
+
+
+def _with(page: Content, carried: Carried) -> Content:
+    """Return a page that brings something along."""
+    block = b'<script type="application/json" id="carried">%s</script>\n</body>'
+    data = msgspec.json.encode(carried).replace(b"<", rb"\u003c")  # nothing ends the block
+    return content(page.plain.replace(b"</body>", block % data, 1), page.type)
 
 
 def _file_name(room: str) -> str:

@@ -24,8 +24,8 @@ export function clockOffset() {
 export async function whoAmI() {
   const brought = carried();
   if (brought) {
-    const [page] = /** @type {PerformanceNavigationTiming[]} */ (performance.getEntriesByType("navigation"));
-    compareClocks(brought.now * 1000, performance.timeOrigin + page.responseStart);
+    const [page] = /** @type {(PerformanceNavigationTiming | undefined)[]} */ (performance.getEntriesByType("navigation"));
+    compareClocks(brought.now * 1000, performance.timeOrigin + (page?.responseStart ?? 0));
     return brought.me;
   }
   const answer = await fetch("/me");

@@ -1,6 +1,7 @@
 // What need not wait for the rest of the page: the colours that were chosen, a first picture, and the
 // canvas's WebGL context, whose making takes about as long as the modules are on their way.
 
+import { endStill } from "./still/ended.js";
 import { showStill } from "./still/still.js";
 import { applyTheme, chosenTheme } from "./themes.js";
 
@@ -17,7 +18,12 @@ function prepare() {
 }
 
 applyTheme(chosenTheme());
-showStill();
+try {
+  showStill();
+} catch (problem) {
+  endStill();
+  console.error("there is no first picture:", problem);
+}
 if (location.pathname !== "/admin" && !new URLSearchParams(location.search).has("wall")) {
   requestAnimationFrame(() => setTimeout(prepare)); // after the first picture
 }

@@ -38,6 +38,7 @@ export function settle(place, wanted) {
  */
 export function enable(element, on) {
   const holds = !on && element === document.activeElement && !element.disabled;
+  if (element.disabled === (!on && !holds) && element.hasAttribute(HELD) === holds && element.hasAttribute(OFF) === holds) return; // asked for at every frame
   element.disabled = !on && !holds;
   for (const [name, value] of [[OFF, "true"], [HELD, ""]]) {
     if (holds) element.setAttribute(name, value);
@@ -50,7 +51,8 @@ export function enable(element, on) {
 export function keepFocus() {
   document.addEventListener("focusin", ({ target }) => (kept = remembered(/** @type {HTMLElement} */ (target))));
   document.addEventListener("pointerdown", ({ target }) => {
-    if (!/** @type {Element} */ (target).closest?.(CAN_HAVE_IT)) kept = null; // who points elsewhere wants to be there
+    const pressed = /** @type {Element} */ (target).closest?.(CAN_HAVE_IT);
+    if (!pressed || pressed !== document.activeElement) kept = null; // who points elsewhere wants to be there, and not every browser gives a button the keyboard
   }, true);
   document.addEventListener("focusout", ({ target }) => {
     const left = /** @type {HTMLInputElement} */ (target);

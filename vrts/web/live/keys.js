@@ -1,11 +1,9 @@
 // Keys that work everywhere on the page.
 
-import { moveOf } from "./camera.js";
 import { byId } from "./dom.js";
 
 const TWICE = 700; // within which Escape counts as pressed twice [ms]
 const ALT = { KeyO: "hand-open", KeyC: "hand-close", KeyR: "ready", KeyM: "terminal-line" };
-const VIEWS = { 1: "overview", 2: "table", 3: "front", 4: "side", 5: "top", 6: "hand" };
 
 /**
  * Return the code of a key that is pressed with Alt alone; "" where that types something, as Option does on a Mac.
@@ -40,14 +38,4 @@ export function bindKeys(app) {
     if (id === "terminal-line") byId(id).focus();
     else byId(id).click();
   }, true);
-  byId("view").addEventListener("keydown", (/** @type {KeyboardEvent} */ event) => {
-    const { viewer } = app.world;
-    if (!viewer || event.altKey || event.ctrlKey || event.metaKey) return;
-    const view = VIEWS[/** @type {keyof typeof VIEWS} */ (/** @type {unknown} */ (event.key))];
-    const move = moveOf(event);
-    if (view) app.world.look(view);
-    else if (move) move(viewer);
-    else return;
-    event.preventDefault();
-  });
 }

@@ -90,9 +90,9 @@ export function onThen(tell) {
 
 /** @param {number | null} at_s */
 function set(at_s) {
-  if (at_s !== null) leaveOther();
   if (at_s === moment) return;
   moment = at_s;
+  if (moment !== null) leaveOther(); // who leaves it finds that the past is looked at
   for (const tell of watchers) tell(moment);
 }
 

@@ -50,6 +50,7 @@ export class World {
     this.elsewhere = null;
     /** @type {Instead | null} what is shown instead of the room and its past */
     this.instead = null;
+    this.other = false; // whether `state` is of that
     /** @type {(() => void)[]} told when session time jumps */
     this.jumpWatchers = [];
     this.url = "";
@@ -149,6 +150,7 @@ export class World {
       this.viewer.show(state);
     }
     const first = !this.state;
+    this.other = this.instead !== null;
     this.state = state;
     this.outputs = outputs;
     if (first) {

@@ -19,7 +19,7 @@ export function mountEditor(app) {
   function open() {
     loading ??= load().catch((error) => {
       loading = null; // the next time may be better
-      waiting.textContent = "The editor could not be loaded. Choose another panel, then this one again.";
+      waiting.textContent = "The editor could not be loaded. Choose another panel, then this one again. If that does not help, load the page again.";
       app.toasts.warn(/** @type {Error} */ (error).message);
     });
   }

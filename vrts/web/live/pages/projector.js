@@ -10,6 +10,7 @@ import { STATES } from "../panels/top.js";
 import { mountViews } from "../panels/views.js";
 import { isolated } from "../names.js";
 import { persons } from "../persons.js";
+import { carried } from "../still/carried.js";
 import { readyNow } from "../still/ended.js";
 import { started } from "./room.js";
 
@@ -17,7 +18,8 @@ import { started } from "./room.js";
 export function showProjector(me) {
   byId("room").hidden = false;
   document.body.classList.add("projector");
-  const app = started("", true);
+  const room = carried()?.still?.scene_url.split("/")[2] ?? ""; // /scene/ROOM/SESSION, of which the first picture is
+  const app = started(room, true);
   app.store.set({ name: me.name, supervisor: me.supervisor });
   mountNotices(barOf("room"), app, { counts: false });
   mountOverlay(app);

@@ -84,7 +84,7 @@ export function showRoom(me, wanted) {
 
 /** Add a part of the page that the first picture does not need. @param {App} app @param {() => Promise<void>} part */
 function later({ toasts }, part) {
-  part().catch((problem) => toasts.warn(`a part of the page could not be loaded: ${problem.message}`));
+  part().catch((problem) => toasts.warn(`a part of the page could not be loaded (${problem.message}): load the page again`));
 }
 
 /**

@@ -38,7 +38,7 @@ export function mountPointing({ store, connection, world, command, toasts }) {
       appear();
     }, (problem) => {
       coming = null; // the next time that the tab is opened they are asked for again
-      toasts.warn(`the pointer could not be loaded: ${problem.message}`);
+      toasts.warn(`the pointer could not be loaded (${problem.message}): load the page again`);
     });
   }
 

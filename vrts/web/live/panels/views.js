@@ -1,7 +1,9 @@
-// Preset view points and the camera's buttons.
+// Preset view points, the camera's buttons, and the keys of the picture.
 
-import { MOVES } from "../camera.js";
+import { MOVES, moveOf } from "../camera.js";
 import { beside, byId, button, make } from "../dom.js";
+
+const KEYS = { 1: "overview", 2: "table", 3: "front", 4: "side", 5: "top", 6: "hand" };
 
 /**
  * @param {import("../pages/room.js").App} app
@@ -15,6 +17,16 @@ export function mountViews({ world }, kept = null) {
     if (wanted) world.look(wanted);
     if (turn) world.viewer.turn(-0.3 * Number(turn));
     if (zoom) world.viewer.zoom(Number(zoom));
+  });
+  byId("view").addEventListener("keydown", (/** @type {KeyboardEvent} */ event) => {
+    const { viewer } = world;
+    if (!viewer || event.altKey || event.ctrlKey || event.metaKey) return;
+    const wanted = KEYS[/** @type {keyof typeof KEYS} */ (/** @type {unknown} */ (event.key))];
+    const move = moveOf(event);
+    if (wanted) world.look(wanted);
+    else if (move) move(viewer);
+    else return;
+    event.preventDefault();
   });
   byId("views").after(...menu(world));
   if (kept) world.beginning = kept.look;

@@ -119,13 +119,13 @@ export function mountPast({ store, world, toasts, connection }) {
       bar.mark(marks.between(bar.range.min, bar.range.max));
     }
     if (t === null) return null;
-    if (!seen) return stands(); // until it is known how it was
+    if (!seen) return stands() || null; // until it is known how it was
     return { state: { ...seen.state, t }, outputs: seen.outputs, flags: (seen.running ? RUNNING : 0) | (seen.moving ? MOVING : 0) };
   };
 
-  /** Return what was shown last: not the present, when somebody looks at the past. */
+  /** Return what was shown last of the room: not the present, when somebody looks at the past. A rehearsal is neither. */
   function stands() {
-    return world.state && { state: world.state, outputs: world.outputs, flags: 0 };
+    return world.state && !world.other && { state: world.state, outputs: world.outputs, flags: 0 };
   }
 
   /** @param {number | null} t @param {boolean} here whether what was then is here */

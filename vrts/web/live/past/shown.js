@@ -1,7 +1,7 @@
 // What is shown is one moment: of the past, or of a rehearsal, where somebody looks at it, else what is now. Never some of each.
 
 import { make } from "../dom.js";
-import { backToLive, isLive, onThen } from "../looking.js";
+import { backToLive, isLive, onLive, onThen } from "../looking.js";
 
 /** What is pressed because of what one sees: it first leads back to what is now. Typed commands and what stops do it at once. */
 const BY_SIGHT = new Set(["go", "step", "jog", "hand", "ready", "record"]);
@@ -22,9 +22,11 @@ export function keepShown(store) {
   store.on(["status"], ({ status }) => isLive() && store.set({ shown: status && ofStatus(status) }));
   onThen((then) => {
     const { status } = store.now;
-    if (isLive()) store.set({ shown: status && ofStatus(status) });
-    else if (then && status) store.set({ shown: { ...then, step: then.line, speed: null, mark: null, total: status.total } });
+    if (isLive() || !then) store.set({ shown: status && ofStatus(status) });
+    else if (status) store.set({ shown: { ...then, step: then.line, speed: null, mark: null, total: status.total } });
   });
+  // a status comes when something changes: the last one counts, whether or not anything was told of the past
+  onLive((live) => live && store.set({ shown: store.now.status && ofStatus(store.now.status) }));
 }
 
 /** Lead back to what is now where the page shows something else. @returns {string} why what was wanted is not done; empty: it may be */

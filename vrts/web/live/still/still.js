@@ -28,10 +28,15 @@ export function showStill() {
   canvas.className = "still";
   canvas.setAttribute("aria-hidden", "true");
   view.prepend(canvas);
-  const draw = () => drawOn(canvas, still, projector ? PROJECTED : layout.look);
+  const draw = () => {
+    try {
+      drawOn(canvas, still, projector ? PROJECTED : layout.look);
+    } catch (problem) {
+      end(); // a picture that cannot be drawn hides nothing
+      console.error("the first picture could not be drawn:", problem);
+    }
+  };
   const watch = new ResizeObserver(draw);
-  draw();
-  watch.observe(view);
   const end = () => {
     watch.disconnect();
     canvas.remove();
@@ -39,6 +44,8 @@ export function showStill() {
   };
   onStillEnd(end);
   setTimeout(end, PATIENCE);
+  watch.observe(view);
+  draw();
 }
 
 /** Make the page's parts as large as they will be. @param {HTMLElement} room @param {import("../layout/kept.js").Layout} layout */
