@@ -124,19 +124,30 @@ def test_what_is_loaded_later_runs_only_in_the_page_that_it_belongs_to() -> None
 
 
 def test_other_modules_are_another_make(monkeypatch: pytest.MonkeyPatch) -> None:
+    def longer(path: str) -> str:
+        return f"{asset(path)}\n"
+
     assert Bundles("live/index.html").made == PAGE.made
-    monkeypatch.setattr(bundles, "asset", lambda path: f"{asset(path)}\n")
+    monkeypatch.setattr(bundles, "asset", longer)
     assert Bundles("live/index.html").made != PAGE.made
 
 
 def test_modules_that_import_each_other_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     ring = {"live/a.js": ("live/b.js",), "live/b.js": ("live/c.js",), "live/c.js": ("live/b.js",)}
+
+    def all_of_them(_entry: str) -> tuple[str, ...]:
+        return tuple(ring)
+
+    def nothing(_path: str) -> tuple[str, ...]:
+        return ()
+
+    def page(_path: str) -> str:
+        return '<script type="module" src="/web/live/a.js">'
+
     monkeypatch.setattr(bundles, "imports", ring.__getitem__)
-    monkeypatch.setattr(bundles, "closure", lambda _entry: tuple(ring))
-    monkeypatch.setattr(bundles, "_later", lambda _path: ())
-    monkeypatch.setattr(
-        bundles, "asset", lambda _path: '<script type="module" src="/web/live/a.js">'
-    )
+    monkeypatch.setattr(bundles, "closure", all_of_them)
+    monkeypatch.setattr(bundles, "_later", nothing)
+    monkeypatch.setattr(bundles, "asset", page)
     with pytest.raises(ValueError, match=r"live/b\.js imports live/c\.js imports live/b\.js"):
         Bundles("live/index.html").parts("live/a.js")
 

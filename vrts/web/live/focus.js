@@ -51,8 +51,7 @@ export function enable(element, on) {
 export function keepFocus() {
   document.addEventListener("focusin", ({ target }) => (kept = remembered(/** @type {HTMLElement} */ (target))));
   document.addEventListener("pointerdown", ({ target }) => {
-    const pressed = /** @type {Element} */ (target).closest?.(CAN_HAVE_IT);
-    if (!pressed || pressed !== document.activeElement) kept = null; // who points elsewhere wants to be there, and not every browser gives a button the keyboard
+    if (!/** @type {Element} */ (target).closest?.(CAN_HAVE_IT)) kept = null; // who points elsewhere wants to be there
   }, true);
   document.addEventListener("focusout", ({ target }) => {
     const left = /** @type {HTMLInputElement} */ (target);
