@@ -11,6 +11,7 @@ from typing import Any, Final
 from urllib.parse import quote
 
 import psutil
+from websockets.exceptions import ConnectionClosed
 
 from tests.bench.live_hours import Ahead
 from tests.support_live import Browser, Json, LiveServer
@@ -214,7 +215,10 @@ class Class:
     def join(self, cookie: str, room: str = "", **fields: object) -> Stay:
         """Join a room; return who is there."""
         browser = self.server.join(cookie, room=room, rate=1, **fields)
-        snapshot = browser.wait("snapshot")
+        try:
+            snapshot = browser.wait("snapshot")
+        except ConnectionClosed as problem:
+            raise AssertionError(f"{browser.came[-2:]}") from problem
         self.joined += 1
         room = snapshot["room"]["id"]
         alive = snapshot["state"] is not None
