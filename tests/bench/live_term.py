@@ -214,7 +214,8 @@ class Term:
     def _supervise(self) -> None:
         """Mute somebody and let them be heard again, send somebody away, announce something."""
         boss, people = self.boss.browser, self.people
-        guest = people.server.enter(people.name())
+        # who is called as somebody who was sent away is kept out as well: a name of their own
+        guest = people.server.enter(f"Loud {people.joined}")
         visitor = people.join(guest, self.boss.room)
         me = next(m for m in visitor.browser.came if m["type"] == "welcome")
         boss.send("mute", person=me["you"], on=True)
