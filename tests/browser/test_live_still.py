@@ -124,7 +124,7 @@ def test_a_still_that_cannot_be_drawn_hides_nothing(
 ) -> None:
     view, _ = held_back(browser, server, cookie, (390, 844), path="/", dark=False, before=BROKEN)
     view.until(f"{STILL} === null && !document.body.classList.contains('early')")
-    assert view.page.locator("#link-state").is_visible()
+    view.page.locator("#link-state").wait_for(state="visible")
     (said,) = view.complaints()
     assert "the first picture could not be drawn: Error: no picture" in said
     view.context.close()

@@ -93,6 +93,7 @@ class Room:
     pace: int = FULL_RATE  # pose frames a second that the session makes
     unheard: str = ""  # the last command that the session has not answered when it died
     stopped: Stopped | None = None  # by PANIC, and has not moved since
+    stop_lasts: bool = False  # until a command: the session went on from its log, and still brakes
     halting: bool = False  # a panic is on its way
     panicked: float = 0.0  # when the last one came, of a clock that only goes on [s]
     frame: bytes = b""  # the last pose frame; empty: session time is another one since

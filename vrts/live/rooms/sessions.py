@@ -235,7 +235,7 @@ class Sessions:
         match head.type:
             case "status":
                 room.show_status(message)
-                if room.stopped is not None and moves(message):
+                if room.stopped is not None and not room.stop_lasts and moves(message):
                     end_stopped(self._hub, room)
             case "done":
                 self._done(room, head, message)
@@ -264,6 +264,7 @@ class Sessions:
                     what |= {"controller_sha256": head.controller_sha256}
                     record(self._hub, room, "begin", None, {**what, "vrts": __version__})
                 else:
+                    room.stop_lasts = room.stopped is not None
                     what = {"at_s": head.carried_s, "vrts": __version__}
                     record(self._hub, room, "carry_on", None, what)
                     if not room.notes:
@@ -303,6 +304,8 @@ class Sessions:
             room.halting = False
         if head.accepted and is_panic(asked.action):
             show_stopped(self._hub, room, asked)
+        elif head.accepted:
+            room.stop_lasts = False
         if asked.kind in JUMPS:
             room.frame = b""
             if head.accepted:

@@ -43,12 +43,11 @@ def test_panic_is_pressed_or_typed() -> None:
     assert not is_panic(b'{"type":"let_go"}')
 
 
-def until_kept(server: LiveServer, *, notices: int, time_s: float) -> None:
-    """Wait until so many notices are in the database, and that the session has come so far."""
+def until_kept(server: LiveServer, *, notices: int) -> None:
+    """Wait until so many notices are in the database."""
     connection = opened(server.folder / DATABASE)
     until = time.monotonic() + PATIENCE
-    query = "SELECT (SELECT count(*) FROM notice)=? AND (SELECT max(time_s) FROM reached)>=?"
-    while connection.execute(query, (notices, time_s)).fetchone() != (1,):
+    while connection.execute("SELECT count(*) FROM notice").fetchone() != (notices,):
         assert time.monotonic() < until
         time.sleep(0.02)
     connection.close()
@@ -67,8 +66,7 @@ def test_what_everybody_has_to_see_is_seen_again_after_a_restart(tmp_path: Path)
         anna.command(lease, "line", line="PANIC")
         stopped = anna.wait("stopped", lambda m: m["at"] > 0.0)
         assert (stopped["name"], stopped["role"]) == ("Anna", "operator")
-        rests = anna.wait("now", lambda m: m["status"]["mode"] not in MOVING)["status"]
-        until_kept(server, notices=2, time_s=rests["time_s"])
+        until_kept(server, notices=2)  # the arm may brake still: what goes on from the log brakes
         server.close_browsers()
         server.kill()
         server.start(str(server.port))
@@ -76,7 +74,9 @@ def test_what_everybody_has_to_see_is_seen_again_after_a_restart(tmp_path: Path)
         assert anna.wait("announced")["text"] == told["text"]
         again = anna.wait("stopped")
         assert (again["at"], again["name"], again["role"]) == (stopped["at"], "Anna", "operator")
-        anna.wait("state", lambda m: m["state"] is not None)
+        state = anna.wait("state", lambda m: m["state"] is not None)["state"]
+        if state["status"]["mode"] in (*MOVING, "braking"):
+            anna.wait("now", lambda m: m["status"]["mode"] not in (*MOVING, "braking"))
         lease = anna.take_control()
         anna.command(lease, "line", line="DO DRIVE 1,5,50")
         assert anna.wait("stopped", lambda m: m["at"] == 0.0), "it moves again"
