@@ -38,7 +38,7 @@ PATCHES: tuple[Patch, ...] = (
     Patch(
         "a guest may have a name that looks like another's",
         "vrts/live/people/naming.py",
-        "not look(name).watched.isdisjoint(self._shown)",
+        "not self._shown.isdisjoint(look(name).watched)",
         "False",
         ("tests/unit/live/people/test_naming.py",),
     ),

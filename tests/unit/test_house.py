@@ -25,6 +25,7 @@ DOORS = {  # imports within functions below `cli`, each with its reason beside i
     ("vrts.marking.remote.mark_on_dask", "vrts.marking.remote.dask_cluster"),
     ("vrts.marking.submission.marker", "vrts.report.recording"),
     ("vrts.marking.submission.report_files", "vrts.report.recording"),
+    ("vrts.live.callers.open_files", "resource"),
     ("vrts.marking.supervise.limits", "resource"),
     ("vrts.validate.camera.compare", "vrts.report.recording.through_camera"),
     ("vrts.validate.log.log_formats", "vrts.validate.log.bags.joint_states"),

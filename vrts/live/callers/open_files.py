@@ -10,7 +10,7 @@ def raise_limit() -> int:
     """Raise the limit as far as that is of use and allowed; return what it is now."""
     if sys.platform == "win32":
         return WANTED  # there is no such limit
-    import resource
+    import resource  # Windows has none
 
     soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
     unlimited = resource.RLIM_INFINITY
