@@ -64,7 +64,7 @@ def test_the_keys_of_the_pendant_and_the_views_are_told() -> None:
         letters = re.search(rf'^const {name} = "(\w+)"', source("panels/pendant.js"), re.M)
         assert letters is not None
         assert f"| {' '.join(letters[1])} |" in TABLE
-    views = re.findall(r'(\d): "(\w+)"', source("keys.js"))
+    views = re.findall(r'(\d): "(\w+)"', source("panels/views.js"))
     names = [str(view).capitalize() for _, view in views]
     words = ", ".join("Follow hand" if name == "Hand" else name for name in names)
     assert f"| 1 to {len(views)} | {words} |" in TABLE
