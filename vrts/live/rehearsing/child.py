@@ -17,7 +17,7 @@ from vrts.base.workers import end_with
 from vrts.live.rehearsing.asked import AskBlock, At, Begin, Breakpoints, Go, PassedOn, passed_on
 from vrts.live.rehearsing.begun import begun
 from vrts.live.rehearsing.rehearsal import Rehearsal
-from vrts.live.rehearsing.told import Placed, Refused, Told
+from vrts.live.rehearsing.told import NO_MEMORY, Placed, Refused, Told
 from vrts.live.session.marks.checker import warm_up
 from vrts.live.session.setting import scene_sha256
 from vrts.marking.supervise.limits import Limits, for_the_next, impose
@@ -26,7 +26,6 @@ from vrts.pipeline.alone import robot_alone
 LIMITS: Final = Limits(cpu_s=1800, memory=600_000_000, file=1_000_000, files=64)
 ONCE_S: Final = 40  # of processor for one question [s]
 YIELDS: Final = 5  # niceness: sessions and the server go first
-NO_MEMORY: Final = 71  # exit status
 WARM: Final = "warm"  # argument of one that has time
 NONE: Final = "nothing is rehearsed"
 

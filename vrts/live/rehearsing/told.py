@@ -1,8 +1,12 @@
 """What a browser is told of a rehearsal. Lines are of the rehearsed text, from 1; 0: of none."""
 
+from typing import Final
+
 import msgspec
 
 from vrts.live.session.channel.messages import Json, Marked
+
+NO_MEMORY: Final = 71  # exit status of a rehearsal's process, which tells the server
 
 
 class _Told(msgspec.Struct, frozen=True, tag_field="type"):
