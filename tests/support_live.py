@@ -239,13 +239,14 @@ class LiveServer:
         """Enter by the supervisor's link."""
         return self.enter("", self.supervisor_token)
 
-    def open(self, cookie: str, **headers: str) -> Browser:
-        """Open a WebSocket."""
-        all_headers = {"cookie": cookie, **headers}
-        link = connect(
-            f"ws://{self.host}/ws",
-            origin=Origin(all_headers.pop("origin", f"http://{self.host}")),
-            additional_headers=all_headers,
+    def connected(
+        self, path: str, cookie: str, origin: str | None = None, **headers: str
+    ) -> ClientConnection:
+        """Open a WebSocket, from the server's own page where no origin is given."""
+        return connect(
+            f"ws://{self.host}{path}",
+            origin=Origin(f"http://{self.host}" if origin is None else origin),
+            additional_headers={"cookie": cookie, **headers} if cookie else headers,
             compression=None,
             max_size=None,
             max_queue=None,
@@ -253,6 +254,10 @@ class LiveServer:
             close_timeout=1.0,
             proxy=None,
         )
+
+    def open(self, cookie: str, **headers: str) -> Browser:
+        """Open the WebSocket of a room."""
+        link = self.connected("/ws", cookie, **headers)
         socket = self._sockets.enter_context(link)
         return Browser(socket)
 

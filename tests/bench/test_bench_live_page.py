@@ -7,13 +7,12 @@ tells how busy the machine is.
 
 import statistics
 from collections.abc import Iterator
-from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, sync_playwright
+from playwright.sync_api import Browser
 
 from tests.bench.machine import Metronome
-from tests.browser.support import CHROMIUM, FLAGS
+from tests.browser.support import chromium
 from tests.browser.support_sessions import SHOWN, desk
 from tests.support_live import LiveServer
 
@@ -41,12 +40,8 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[LiveServer]:
 
 @pytest.fixture(scope="module")
 def browser() -> Iterator[Browser]:
-    if not Path(CHROMIUM).exists():
-        pytest.skip("needs Chromium")
-    with sync_playwright() as playwright:
-        opened = playwright.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
+    with chromium() as opened:
         yield opened
-        opened.close()
 
 
 def test_from_joining_to_the_first_picture(server: LiveServer, browser: Browser) -> None:

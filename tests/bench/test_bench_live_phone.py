@@ -11,11 +11,10 @@ before the arm was on the screen, and shared the line with it, is told.
 
 import statistics
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Any, NamedTuple
 
 import pytest
-from playwright.sync_api import Browser, Page, sync_playwright
+from playwright.sync_api import Browser, Page
 
 from tests.bench.machine import PERIOD, Metronome
 from tests.browser.first_picture import (
@@ -28,7 +27,7 @@ from tests.browser.first_picture import (
     first_with_arm,
     told,
 )
-from tests.browser.support import CHROMIUM, FLAGS
+from tests.browser.support import chromium
 from tests.browser.support_sessions import supervisor
 from tests.support_live import LiveServer
 
@@ -72,12 +71,8 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[LiveServer]:
 
 @pytest.fixture(scope="module")
 def browser() -> Iterator[Browser]:
-    if not Path(CHROMIUM).exists():
-        pytest.skip("needs Chromium")
-    with sync_playwright() as playwright:
-        opened = playwright.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
+    with chromium() as opened:
         yield opened
-        opened.close()
 
 
 @pytest.fixture(scope="module")

@@ -1,11 +1,13 @@
 """Chromium for tests: pages that note what they say and ask for."""
 
 import time
+from collections.abc import Generator
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, Page
+from playwright.sync_api import Browser, Page, sync_playwright
 
 CHROMIUM = "/usr/bin/chromium"
 PATIENCE = 60.0  # [s]; the machine may be busy
@@ -31,6 +33,17 @@ PIXEL = bytes.fromhex(
     "1f15c4890000000d49444154789c63606060f80f0001040100"
     "5fe5c34b0000000049454e44ae426082"
 )
+
+
+@contextmanager
+def chromium() -> Generator[Browser]:
+    """Give a Chromium; skip what needs it where it is not installed."""
+    if not Path(CHROMIUM).exists():
+        pytest.skip("needs Chromium")
+    with sync_playwright() as playwright:
+        opened = playwright.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
+        yield opened
+        opened.close()
 
 
 @dataclass

@@ -7,23 +7,14 @@ from pathlib import Path
 from typing import Any
 
 from websockets.exceptions import ConnectionClosed
-from websockets.sync.client import ClientConnection, connect
-from websockets.typing import Origin
+from websockets.sync.client import ClientConnection
 
 from tests.support_live import PATIENCE, Json, LiveServer
 
 
-def link(server: LiveServer, cookie: str, origin: str = "") -> AbstractContextManager[Any]:
+def link(server: LiveServer, cookie: str, origin: str | None = None) -> AbstractContextManager[Any]:
     """Open the WebSocket of an editor."""
-    return connect(
-        f"ws://{server.host}/lsp",
-        origin=Origin(origin or f"http://{server.host}"),
-        additional_headers={"cookie": cookie} if cookie else {},
-        compression=None,
-        open_timeout=PATIENCE,
-        close_timeout=1.0,
-        proxy=None,
-    )
+    return server.connected("/lsp", cookie, origin)
 
 
 class Editor:

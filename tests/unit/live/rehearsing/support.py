@@ -6,8 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from websockets.exceptions import ConnectionClosed
-from websockets.sync.client import ClientConnection, connect
-from websockets.typing import Origin
+from websockets.sync.client import ClientConnection
 
 from tests.places import ROOT
 from tests.support_live import PATIENCE, Json, LiveServer
@@ -86,18 +85,10 @@ class Questions:
 
 
 def link(
-    server: LiveServer, cookie: str, room: str, origin: str = ""
+    server: LiveServer, cookie: str, room: str, origin: str | None = None
 ) -> AbstractContextManager[ClientConnection]:
     """Open the WebSocket of a rehearsal."""
-    return connect(
-        f"ws://{server.host}/rehearse?room={room}",
-        origin=Origin(origin or f"http://{server.host}"),
-        additional_headers={"cookie": cookie} if cookie else {},
-        compression=None,
-        open_timeout=PATIENCE,
-        close_timeout=1.0,
-        proxy=None,
-    )
+    return server.connected(f"/rehearse?room={room}", cookie, origin)
 
 
 class Page:
