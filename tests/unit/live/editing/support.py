@@ -12,9 +12,9 @@ from websockets.sync.client import ClientConnection
 from tests.support_live import PATIENCE, Json, LiveServer
 
 
-def link(server: LiveServer, cookie: str, origin: str | None = None) -> AbstractContextManager[Any]:
+def link(server: LiveServer, cookie: str, origin: str = "") -> AbstractContextManager[Any]:
     """Open the WebSocket of an editor."""
-    return server.connected("/lsp", cookie, origin)
+    return server.connected("/lsp", cookie, origin or None)
 
 
 class Editor:

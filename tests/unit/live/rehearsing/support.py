@@ -85,10 +85,10 @@ class Questions:
 
 
 def link(
-    server: LiveServer, cookie: str, room: str, origin: str | None = None
+    server: LiveServer, cookie: str, room: str, origin: str = ""
 ) -> AbstractContextManager[ClientConnection]:
     """Open the WebSocket of a rehearsal."""
-    return server.connected(f"/rehearse?room={room}", cookie, origin)
+    return server.connected(f"/rehearse?room={room}", cookie, origin or None)
 
 
 class Page:
