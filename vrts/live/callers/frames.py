@@ -1,8 +1,8 @@
 """How many WebSocket frames a connection may send; pings and empty parts of messages count too."""
 
-import time
 from typing import Final
 
+from vrts.live.lasting.clock import steady
 from vrts.live.limits import Bucket
 
 FRAMES: Final = (200.0, 2000.0)  # a second, and at once: what waited for a network comes together
@@ -18,4 +18,4 @@ class Frames:
 
     def take(self) -> bool:
         """Count one; return whether it may be."""
-        return self._bucket.take(time.monotonic())
+        return self._bucket.take(steady())

@@ -6,7 +6,6 @@ such as a request for control, it waits as well.
 """
 
 import asyncio
-import time
 from typing import Any, Final, NamedTuple
 
 import msgspec
@@ -15,6 +14,7 @@ from starlette.websockets import WebSocket
 from vrts.live import limits
 from vrts.live.door import Door, door_of, text_frame
 from vrts.live.front.guard import refused
+from vrts.live.lasting.clock import steady
 from vrts.live.protocol.coding import decode, encode
 from vrts.live.protocol.fields import VERSION
 from vrts.live.protocol.from_anybody import AskProgram, AskReach, Command, GoOnFrom, Join, Panic
@@ -124,7 +124,7 @@ async def _listen(
         while (text := await _receive(websocket)) is not None:
             if member.door is not door:
                 break  # sent away, or back on another connection
-            member.heard = time.monotonic()
+            member.heard = steady()
             try:
                 message = decode(text)
             except msgspec.DecodeError as problem:

@@ -1,7 +1,6 @@
 """People who come into a room, drop out of it, come back, and leave it."""
 
 import secrets
-import time
 from collections.abc import Iterable
 from typing import Final
 
@@ -67,7 +66,7 @@ def enter(
             room.came.add(account.id)
             record(hub, room, "join", account, {})
     member.address, member.browsers = address, browsers
-    member.came = member.heard = time.monotonic()
+    member.came = member.heard = steady()
     _saw(hub, member, 0.0)
     resumed = join.resume == member.resume and room.remembers(join.seen)
     member.seen = join.seen if resumed else None
@@ -137,7 +136,7 @@ def drop(hub: Hub, member: Member, door: Door) -> None:
         return  # they are back already, on another connection
     member.door, member.settled, member.wall = None, False, False
     member.away_since = steady()
-    _saw(hub, member, time.monotonic() - member.came)
+    _saw(hub, member, steady() - member.came)
     room = hub.rooms.get(member.room)
     if room is not None:
         room.control.away(member.id, member.away_since)

@@ -1,10 +1,10 @@
 """Somebody in a room: one place, which outlasts a dropped connection for a while."""
 
-import time
 from dataclasses import dataclass, field
 
 from vrts.live import limits
 from vrts.live.door import Door, text_frame
+from vrts.live.lasting.clock import steady
 from vrts.live.limits import Bucket
 from vrts.live.protocol.coding import encode
 from vrts.live.protocol.from_server import Message
@@ -28,7 +28,7 @@ class Member:
     settled: bool = False  # has been sent a snapshot, and gets what is new
     seen: int | None = None  # number after which a returning client is told what it missed
     away_since: float = 0.0
-    since: float = field(default_factory=time.monotonic)  # when there was this place first [s]
+    since: float = field(default_factory=steady)  # when there was this place first [s]
     came: float = 0.0  # when the connection began, of a clock that only goes on [s]
     address: str = ""  # from where the connection comes; never kept
     heard: float = 0.0  # when it last said something

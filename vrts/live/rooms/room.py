@@ -1,7 +1,6 @@
 """A room: the people in it, the control right, the session they share, and what they were told."""
 
 import asyncio
-import time
 from collections import Counter, deque
 from collections.abc import Iterable
 from dataclasses import dataclass, field
@@ -244,7 +243,7 @@ class Room:
 
     def panic(self, member: Member) -> None:
         """Pass a panic on at once; while one is on its way, another would change nothing."""
-        self.panicked = time.monotonic()
+        self.panicked = steady()
         if self.process is not None and self.process.ready and not self.halting:
             self.halting = True
             self.ask(self.process.halt(), "panic", member, 0, PANIC)
