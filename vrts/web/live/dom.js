@@ -37,6 +37,17 @@ export function button(text, click, attributes = {}) {
   return make("button", { type: "button", text, click, ...attributes });
 }
 
+/** Return a small drawing, 16 by 16, for a button. @param {string} path as SVG writes it */
+export function drawing(path) {
+  const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
+  svg.setAttribute("viewBox", "0 0 16 16");
+  svg.setAttribute("aria-hidden", "true");
+  const line = document.createElementNS("http://www.w3.org/2000/svg", "path");
+  line.setAttribute("d", path);
+  svg.append(line);
+  return svg;
+}
+
 /** Return a select with options. @param {[string, string][]} options value and text @param {Record<string, any>} attributes */
 export function choice(options, attributes = {}) {
   return make("select", attributes, ...options.map(([value, text]) => make("option", { value, text })));

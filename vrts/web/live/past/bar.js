@@ -1,13 +1,12 @@
 // The time line under the picture: a slider over the past, jumps, play, and the way back to live.
 
-import { beside, make, write } from "../dom.js";
+import { beside, drawing, make, write } from "../dom.js";
 import { enable } from "../focus.js";
+import { goByKey, slideByKey, speeds } from "./line.js";
 import { JUMPS } from "./marks.js";
 
 const MOST_DRAWN = 240; // marks
-const STEPS = { ArrowLeft: -0.1, ArrowRight: 0.1, ArrowDown: -0.1, ArrowUp: 0.1, PageDown: -10, PageUp: 10 }; // [s]
 const SPANS = /** @type {[string, string][]} */ ([["60", "1 min"], ["600", "10 min"], ["3600", "1 h"], ["all", "All"]]);
-const SPEEDS = /** @type {[string, string][]} */ ([["0.25", "¼×"], ["0.5", "½×"], ["1", "1×"], ["2", "2×"], ["4", "4×"]]);
 const ICONS = {
   before: "M3 3h2v10H3zM13 3v10L6 8z", after: "M11 3h2v10h-2zM3 3v10l7-5z", play: "M4 2.5v11L13 8z", pause: "M4 3h3v10H4zM9 3h3v10H9z",
   menu: "M7 2h2v2.6H7zM7 6.7h2v2.6H7zM7 11.4h2V14H7z",
@@ -41,7 +40,7 @@ export class Bar {
       type: "range", id: "past-time", min: 0, max: 1, step: 0.01, value: 1, "aria-label": "Time of the session",
       input: () => this.slid(),
       pointerdown: () => (this.dragged = true), pointerup: () => (this.dragged = false), pointercancel: () => (this.dragged = false),
-      keydown: (/** @type {KeyboardEvent} */ event) => this.key(event),
+      keydown: (/** @type {KeyboardEvent} */ event) => slideByKey(event, Number(this.slider.value), 10, { seek: wishes.seek, home: () => wishes.seek(this.range.min), end: wishes.live }),
     });
     this.lane = make("div", { class: "past-marks", "aria-hidden": "true" });
     this.kept = make("span", { class: "past-kept", hidden: true });
@@ -53,8 +52,7 @@ export class Bar {
       .map(([value, [text]]) => make("option", { value, text })));
     this.spans = make("select", { id: "past-span", "aria-label": "How much of the past the slider shows", title: "How much the slider shows", change: wishes.redraw },
       ...SPANS.map(([value, text]) => make("option", { value, text, selected: value === "600" })));
-    this.speeds = make("select", { id: "past-speed", "aria-label": "Speed of the replay", title: "Speed of the replay" },
-      ...SPEEDS.map(([value, text]) => make("option", { value, text, selected: value === "1" })));
+    this.speeds = speeds({ id: "past-speed", "aria-label": "Speed of the replay", title: "Speed of the replay" });
     this.branches = ["past-branch", "past-branch-2"].map((id) => make("button", { type: "button", id, class: "past-branch", text: "Go on from here", title: "Go on from this moment in a room of your own", click: wishes.branch }));
     this.live = make("button", { type: "button", id: "past-live", class: "past-live", text: "Live", title: "Back to what is now (Alt+L)", "aria-label": "Back to live", click: wishes.live });
     const named = (/** @type {string} */ text, /** @type {HTMLElement} */ what) => make("span", { class: "past-choice" }, make("span", { "aria-hidden": "true", text }), what);
@@ -71,7 +69,7 @@ export class Bar {
       make("div", { class: "past-track" }, this.slider, this.lane, this.kept),
       this.clock, menu, more, this.branches[0], this.live,
     );
-    place.addEventListener("keydown", (event) => this.shortcut(/** @type {KeyboardEvent} */ (event)));
+    place.addEventListener("keydown", (event) => goByKey(/** @type {KeyboardEvent} */ (event), wishes));
   }
 
   get speed() {
@@ -82,28 +80,6 @@ export class Bar {
     const t = Number(this.slider.value);
     if (t >= this.range.max - 1e-9) this.wishes.live();
     else this.wishes.seek(t);
-  }
-
-  /** Steps that people can use, whatever the slider shows. @param {KeyboardEvent} event */
-  key(event) {
-    const step = STEPS[/** @type {keyof typeof STEPS} */ (event.key)];
-    if (event.altKey || event.ctrlKey || event.metaKey) return;
-    if (event.key === "End") this.wishes.live();
-    else if (event.key === "Home") this.wishes.seek(this.range.min);
-    else if (step) this.wishes.seek(Number(this.slider.value) + step * (event.shiftKey ? 10 : 1));
-    else return;
-    event.preventDefault();
-  }
-
-  /** @param {KeyboardEvent} event */
-  shortcut(event) {
-    const target = /** @type {HTMLElement} */ (event.target);
-    if (event.altKey || event.ctrlKey || event.metaKey || target.matches("select")) return;
-    if (event.key === ",") this.wishes.jump(-1);
-    else if (event.key === ".") this.wishes.jump(1);
-    else if (event.key === " " && !target.matches("button")) this.wishes.play();
-    else return;
-    event.preventDefault();
   }
 
   /** Show where on the time line one is. @param {Shown} shown */
@@ -155,15 +131,4 @@ function icon(name, title, click, id) {
   const made = make("button", { type: "button", id, class: "past-icon", title, "aria-label": title.replace(/ \(.*/, ""), click });
   made.append(drawing(ICONS[name]));
   return made;
-}
-
-/** @param {string} path */
-function drawing(path) {
-  const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
-  svg.setAttribute("viewBox", "0 0 16 16");
-  svg.setAttribute("aria-hidden", "true");
-  const line = document.createElementNS("http://www.w3.org/2000/svg", "path");
-  line.setAttribute("d", path);
-  svg.append(line);
-  return svg;
 }

@@ -1,6 +1,6 @@
 // The buttons of a rehearsal, and its keys.
 
-import { button, choice, make, write } from "../dom.js";
+import { button, choice, drawing, make, write } from "../dom.js";
 
 /** @typedef {import("./phase.js").Step} Step */
 /** @typedef {"run"|"over"|"into"|"out"|"back"|"back_run"} Pressed */
@@ -65,12 +65,6 @@ export class Bar {
 /** @param {string} text @param {string} key @param {string} path @param {() => void} click */
 function icon(text, key, path, click) {
   const made = button("", click, { class: "rehearsal-icon", title: `${text} (${key})`, "aria-label": text });
-  const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
-  svg.setAttribute("viewBox", "0 0 16 16");
-  svg.setAttribute("aria-hidden", "true");
-  const line = document.createElementNS("http://www.w3.org/2000/svg", "path");
-  line.setAttribute("d", path);
-  svg.append(line);
-  made.append(svg);
+  made.append(drawing(path));
   return made;
 }

@@ -1,11 +1,10 @@
 // The rehearsal's own time line: a slider over the whole run, what happens in it, and playing.
 
 import { button, make, write } from "../dom.js";
+import { goByKey, slideByKey, speeds } from "../past/line.js";
 import { seconds } from "./phase.js";
 
-const STEPS = { ArrowLeft: -0.1, ArrowRight: 0.1, ArrowDown: -0.1, ArrowUp: 0.1, PageDown: -1, PageUp: 1 }; // [s]
 const TINY = 1e-3; // by which the next mark is later [s]
-const SPEEDS = /** @type {[string, string][]} */ ([["0.25", "¼×"], ["0.5", "½×"], ["1", "1×"], ["2", "2×"], ["4", "4×"]]);
 
 /** @typedef {import("./phase.js").Moment} Moment */
 /** @typedef {{seek: (t: number) => void, play: () => void, speed: (speed: number) => void, live: () => void}} Wishes */
@@ -25,42 +24,25 @@ export class Track {
     this.marks = [];
     this.slider = make("input", {
       type: "range", id: "rehearsal-time", min: 0, max: 1, step: "any", value: 0, "aria-label": "Time of the rehearsal",
-      input: () => wishes.seek(Number(this.slider.value)), keydown: (/** @type {KeyboardEvent} */ event) => this.key(event),
+      input: () => wishes.seek(Number(this.slider.value)), keydown: (/** @type {KeyboardEvent} */ event) => slideByKey(event, Number(this.slider.value), 1,
+        { seek: wishes.seek, home: () => wishes.seek(this.range.begin), end: () => wishes.seek(this.range.end) }),
     });
     this.lane = make("div", { class: "past-marks", "aria-hidden": "true" });
     this.clock = make("output", { class: "past-clock", id: "rehearsal-clock", for: "rehearsal-time", "aria-live": "off" });
     this.play = button("Play", wishes.play, { id: "rehearsal-play", class: "rehearsal-play", title: "Play from here, or stand still (space)" });
-    const speeds = make("select", { "aria-label": "Speed of the picture", title: "Speed of the picture", class: "rehearsal-speed", change: () => wishes.speed(Number(speeds.value)) },
-      ...SPEEDS.map(([value, text]) => make("option", { value, text, selected: value === "1" })));
+    const speed = speeds({ "aria-label": "Speed of the picture", title: "Speed of the picture", class: "rehearsal-speed", change: () => wishes.speed(Number(speed.value)) });
     this.place = make("div", { class: "past rehearsal-track", id: "rehearsal-track", role: "group", "aria-label": "Time line of the rehearsal" },
       make("span", { class: "tag rehearsal-tag", text: "Rehearsal" }), this.play,
-      make("div", { class: "past-track" }, this.slider, this.lane), this.clock, speeds,
+      make("div", { class: "past-track" }, this.slider, this.lane), this.clock, speed,
       button("Live", wishes.live, { id: "rehearsal-live", class: "past-live", title: "Back to what is now (Alt+L)", "aria-label": "Back to live" }));
-    this.place.addEventListener("keydown", (event) => this.shortcut(event));
+    this.place.addEventListener("keydown", (event) => goByKey(event, { jump: (direction) => this.jump(direction), play: wishes.play }));
     after.after(this.place);
   }
 
-  /** @param {KeyboardEvent} event */
-  key(event) {
-    const step = STEPS[/** @type {keyof typeof STEPS} */ (event.key)];
-    if (event.altKey || event.ctrlKey || event.metaKey) return;
-    if (event.key === "Home") this.wishes.seek(this.range.begin);
-    else if (event.key === "End") this.wishes.seek(this.range.end);
-    else if (step) this.wishes.seek(Number(this.slider.value) + step * (event.shiftKey ? 10 : 1));
-    else return;
-    event.preventDefault();
-  }
-
-  /** @param {KeyboardEvent} event */
-  shortcut(event) {
-    const target = /** @type {HTMLElement} */ (event.target);
-    if (event.altKey || event.ctrlKey || event.metaKey || target.matches("select")) return;
-    if (event.key === " " && !target.matches("button")) this.wishes.play();
-    else if (event.key === "," || event.key === ".") {
-      const mark = nextMark(this.marks, Number(this.slider.value), event.key === "." ? 1 : -1);
-      if (mark) this.wishes.seek(mark.time_s);
-    } else return;
-    event.preventDefault();
+  /** Go to the next mark, or to the one before. @param {1 | -1} direction */
+  jump(direction) {
+    const mark = nextMark(this.marks, Number(this.slider.value), direction);
+    if (mark) this.wishes.seek(mark.time_s);
   }
 
   /** Another run. @param {import("./picture.js").Range} range @param {Moment[]} marks */
