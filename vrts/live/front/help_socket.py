@@ -1,13 +1,14 @@
 """One WebSocket of an editor: questions about its text in, a language server's answers out."""
 
 import asyncio
-from collections.abc import Awaitable, Callable, Coroutine
+from collections.abc import Awaitable, Callable
 from typing import Any, Final
 
 import msgspec
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from vrts.live.editing.asked import Asked, Change, Open, asked, initialize, request
+from vrts.live.editing.first_ended import first_ended
 from vrts.live.editing.helper import Helper, begun
 from vrts.live.editing.seats import Seat, Seats
 from vrts.live.editing.told import answered, as_json, diagnostics
@@ -88,20 +89,7 @@ class _Talk:
 
     async def go_on(self) -> None:
         """Pass on what is allowed, until one of them ends or must be ended."""
-        parts: list[Coroutine[Any, Any, tuple[str, str] | None]] = [
-            self._listen(),
-            self._answer(),
-            self._watch(),
-            self._taken(),
-        ]
-        tasks = {asyncio.ensure_future(part) for part in parts}
-        try:
-            done, _ = await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
-            why = next((found for task in done if (found := task.result()) is not None), None)
-        finally:
-            for task in tasks:
-                task.cancel()
-            await asyncio.gather(*tasks, return_exceptions=True)
+        why = await first_ended(self._listen(), self._answer(), self._watch(), self._taken())
         if why is not None:
             try:
                 await self._send(as_json({"method": "closed", "code": why[0], "text": why[1]}))

@@ -2,12 +2,13 @@
 
 import asyncio
 from collections import deque
-from collections.abc import Awaitable, Callable, Coroutine
+from collections.abc import Awaitable, Callable
 from typing import Any, Final, NamedTuple
 
 import msgspec
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
+from vrts.live.editing.first_ended import first_ended
 from vrts.live.editing.seats import Seat
 from vrts.live.lasting.clock import steady
 from vrts.live.limits import Bucket
@@ -83,15 +84,7 @@ class _Talk:
 
     async def go_on(self) -> None:
         """Pass on what is allowed, until one of them ends or must be ended."""
-        parts: list[Coroutine[Any, Any, Closed | None]] = [self._listen(), self._watch()]
-        tasks = {asyncio.ensure_future(part) for part in parts}
-        try:
-            done, _ = await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
-            why = next((found for task in done if (found := task.result()) is not None), None)
-        finally:
-            for task in tasks:
-                task.cancel()
-            await asyncio.gather(*tasks, return_exceptions=True)
+        why = await first_ended(self._listen(), self._watch())
         await self._end_process()
         if why is not None and await self._send(as_json(why)):
             try:
