@@ -153,7 +153,7 @@ const said = {};
 {
   const one = await there();
   one.step("Step over");
-  one.socket.hear({ type: "refused", message: "too many questions wait already", busy: true });
+  one.socket.hear({ type: "refused", message: "too many questions wait already", of: "go" });
   said.busy = [one.toasts, one.state, one.rehearsal.shown];
   one.step("Step over");
   said.again = one.sent("go").map(({ what }) => what);

@@ -13,7 +13,18 @@ from vrts.live.editing.seats import Seat
 from vrts.live.lasting.clock import steady
 from vrts.live.limits import Bucket
 from vrts.live.refusal import NotObeyed
-from vrts.live.rehearsing.asked import Asked, Begin, Rehearse, Stop, as_json, asked
+from vrts.live.rehearsing.asked import (
+    AskBlock,
+    Asked,
+    At,
+    Begin,
+    Breakpoints,
+    Go,
+    Rehearse,
+    Stop,
+    as_json,
+    asked,
+)
 from vrts.live.rehearsing.offering import Rehearsals, Whose
 from vrts.live.rehearsing.process import RehearsalProcess
 from vrts.live.rehearsing.told import Closed, Ended, Refused, Told
@@ -65,6 +76,13 @@ async def serve_rehearsal(offered: Offered, websocket: WebSocket) -> None:
     finally:
         offered.rehearsals.left(offered.whose, elsewhere)
         await talk.end()
+
+
+def _one_refused(question: Breakpoints | Go | At | AskBlock) -> Refused:
+    """Say that one question comes too early; what was asked before is answered."""
+    of = str(type(question).__struct_config__.tag)
+    number = question.number if isinstance(question, AskBlock) else msgspec.UNSET
+    return Refused(question.id, BUSY, of=of, number=number)
 
 
 class _Talk:
@@ -138,7 +156,7 @@ class _Talk:
                 if process is None:
                     await self._tell(Refused(message.id, NONE))
                 elif len(self._waiting) >= MOST_ASKED or process.behind:
-                    await self._tell(Refused(message.id, BUSY, busy=True))
+                    await self._tell(_one_refused(message))
                 else:
                     self._waiting.append(steady())
                     process.ask(message)

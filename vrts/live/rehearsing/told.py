@@ -33,7 +33,9 @@ class Refused(_Told, frozen=True, tag="refused"):
     message: str
     problems: tuple[Problem, ...] = ()
     more: int = 0  # problems that are not told
-    busy: bool | msgspec.UnsetType = msgspec.UNSET  # this question alone: the rehearsal goes on
+    # where one question alone is refused, and the rehearsal goes on: its type, and of a block which
+    of: str | msgspec.UnsetType = msgspec.UNSET
+    number: int | msgspec.UnsetType = msgspec.UNSET
 
 
 class Place(msgspec.Struct, frozen=True):

@@ -78,7 +78,7 @@ export class Link {
       return;
     }
     if (message.type === "breakpoints") this.answered(({ what }) => what === "breakpoints");
-    if (message.type === "refused" && message.id && message.busy && this.asked.length) {
+    if (message.type === "refused" && message.of) {
       this.heard({ ...message, question: this.turnedAway(message) });
       return;
     }
@@ -97,15 +97,13 @@ export class Link {
     return this.asked.some(({ what }) => what === wanted);
   }
 
-  /** Take a question that was refused off the list: the last one, unless it is named. @param {Message} message @returns {string} what it was */
-  turnedAway({ of, number: block, message: why }) {
-    const found = this.asked.findLast(({ what, number }) => !of || (what === of && (number ?? 0) === (block ?? 0)));
-    if (!found) return "";
-    this.asked.splice(this.asked.indexOf(found), 1);
-    const number = found.number ?? -1;
+  /** Take a question that was refused off the list. @param {Message} message @returns {string} what it was */
+  turnedAway({ of, number, message: why }) {
+    const index = this.asked.findLastIndex((one) => one.what === of && one.number === number);
+    if (index >= 0) this.asked.splice(index, 1);
     this.blocks.get(number)?.({ type: "block", id: this.id, message: why });
     this.blocks.delete(number);
-    return found.what;
+    return of;
   }
 
   /** @param {string} type @param {Record<string, any>} fields @returns {boolean} whether it is on its way */
