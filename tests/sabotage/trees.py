@@ -95,7 +95,11 @@ class NoTestError(RuntimeError):
 
 
 class NoAnswerError(RuntimeError):
-    """Tests did not end in time, or ended their process."""
+    """Tests did not end in time."""
+
+
+class DiedError(RuntimeError):
+    """Tests ended their process, or somebody else did."""
 
 
 def run_tests(tree: Path, tests: Sequence[str], *options: str, seconds: float = SECONDS) -> bool:
@@ -106,8 +110,9 @@ def run_tests(tree: Path, tests: Sequence[str], *options: str, seconds: float = 
 class Failure(NamedTuple):
     """What tests came to."""
 
-    test: str | None  # that failed first; None: all pass
+    test: str | None  # that failed first; None: none
     cpu_s: float
+    note: str = "no test failed"
 
 
 def first_failure(
@@ -117,13 +122,16 @@ def first_failure(
 
     Raises:
         NoTestError: There are no such tests.
-        NoAnswerError: They took too long, or took Python with them.
+        NoAnswerError: They took too long.
+        DiedError: They took Python with them.
     """
     said = tree.with_name(f"{tree.name}.said")
     words = ["-x", "-q", "-p", "no:randomly", *options, *tests]
     status, failed, cpu_s = warm.run(tree, words, seconds, said)
+    if status is None and cpu_s:
+        raise NoAnswerError(f"its tests did not end within {seconds:.0f} s")
     if status is None:
-        raise NoAnswerError(f"its tests did not end within {seconds:.0f} s, or died")
+        raise DiedError("the process of its tests died")
     if status not in (0, 1, 2):
         raise NoTestError(said.read_text(encoding="utf-8", errors="replace"))
     if status == 0:
