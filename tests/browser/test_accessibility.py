@@ -1,12 +1,11 @@
 """Pages for everybody: axe-core's rules, keyboard, reduced motion, phones and paper."""
 
-from importlib.resources import files
 from pathlib import Path
-from typing import Any
 
 import pytest
 from playwright.sync_api import Browser
 
+from tests.browser.axe import AXE, faults
 from tests.browser.support import PIXEL, Opened, clock, opened, until
 from tests.support_reports import broken
 from tests.support_rows import some_class
@@ -22,16 +21,6 @@ from vrts.report.page.stills import contact_name
 
 pytestmark = pytest.mark.browser
 
-AXE = files("axe_playwright_python").joinpath("axe.min.js").read_text(encoding="utf-8")
-ALL_RULES = """async () => {
-  const rules = Object.fromEntries(axe.getRules().map(rule => [rule.ruleId, { enabled: true }]));
-  const found = await axe.run(document, { rules, resultTypes: ["violations"] });
-  const shown = nodes => nodes.slice(0, 5).map(node => node.html.slice(0, 140));
-  return {
-    passes: found.passes.length,
-    violations: found.violations.map(one => [one.id, shown(one.nodes)]),
-  };
-}"""
 PHONE = 390  # [px]
 
 
@@ -82,16 +71,6 @@ def test_axe_finds_nothing(
     for width, dark in looks:
         assert faults(view, width, dark=dark) == [], (width, dark)
     view.page.close()
-
-
-def faults(view: Opened, width: int, *, dark: bool) -> list[Any]:
-    """Return what axe-core finds on a page of a width, light or dark, which has `AXE`."""
-    view.page.set_viewport_size({"width": width, "height": 900})
-    view.page.emulate_media(color_scheme="dark" if dark else "light")
-    found = view.page.evaluate(ALL_RULES)
-    assert found["passes"] > 30
-    assert view.page.evaluate("document.documentElement.scrollWidth") <= width
-    return found["violations"]
 
 
 @pytest.fixture(scope="module")

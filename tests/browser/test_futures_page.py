@@ -5,8 +5,9 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Browser
 
+from tests.browser.axe import AXE, faults
 from tests.browser.support import clock, opened, until
-from tests.browser.test_accessibility import ALL_LOOKS, AXE, faults
+from tests.browser.test_accessibility import ALL_LOOKS
 from tests.places import ROOT
 from tests.support_commands import vrts_text
 

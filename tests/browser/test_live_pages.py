@@ -6,8 +6,8 @@ from typing import Any
 import pytest
 from playwright.sync_api import Browser
 
+from tests.browser.axe import ALL_RULES, AXE
 from tests.browser.support_sessions import Desk, desk, student, supervisor
-from tests.browser.test_accessibility import ALL_RULES, AXE
 from tests.support_live import LiveServer
 
 pytestmark = pytest.mark.browser

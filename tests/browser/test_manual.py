@@ -6,8 +6,9 @@ from typing import Any
 import pytest
 from playwright.sync_api import Browser
 
+from tests.browser.axe import AXE, faults
 from tests.browser.support import Opened, opened, until
-from tests.browser.test_accessibility import ALL_LOOKS, AXE, ESSENTIAL, PHONE, faults
+from tests.browser.test_accessibility import ALL_LOOKS, ESSENTIAL, PHONE
 from tests.support_site import built_site
 
 pytestmark = pytest.mark.browser
