@@ -4,20 +4,15 @@ Frame P stands between the pads: x across them, y from finger to finger, z along
 part of a body that counts is the part between the pads, a slab of their width and length.
 """
 
-import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple
 
-from vrts.base.pose import X_AXIS, Z_AXIS, Pose, Vector, dot, rotate, transpose
+from vrts.base.pose import X_AXIS, Z_AXIS, Pose
 from vrts.base.remembered import is_remembering, remembered
+from vrts.engine.hand.slab import slab_reach
 from vrts.geometry.shapes import Piece
-from vrts.geometry.support import Interval, extent_of, reach
+from vrts.geometry.support import Interval, extent_of
 from vrts.robots.model import Gripper
-
-SEARCH = 1.5  # multipliers of the slab's bounds are looked for within this
-STEPS = 26  # of a golden-section search: to 1e-5 of its range
-NUDGE = 1e-3
-GOLDEN = (math.sqrt(5.0) - 1.0) / 2.0
 
 
 class Between(NamedTuple):
@@ -55,8 +50,9 @@ def _between(gripper: Gripper, pieces: Sequence[Piece], X_PO: Pose) -> Between |
         z = extent_of((piece,), X_PO, Z_AXIS).overlap(Interval(-half_length, half_length))
         if min(x, z) <= 0.0:
             continue
-        upper = _slab_reach(piece, X_PO, 1.0, half_width, half_length)
-        lower = -_slab_reach(piece, X_PO, -1.0, half_width, half_length)
+        X_PS = X_PO @ piece.X_OP
+        upper = slab_reach(piece.shape, X_PS, 1.0, half_width, half_length)
+        lower = -slab_reach(piece.shape, X_PS, -1.0, half_width, half_length)
         if upper < lower:
             continue  # the piece passes the slab by, past one of its edges
         if lower > half_opening or upper < -half_opening:
@@ -67,43 +63,3 @@ def _between(gripper: Gripper, pieces: Sequence[Piece], X_PO: Pose) -> Between |
         return None
     across = Interval(min(i.lower for i in found), max(i.upper for i in found))
     return Between(across, overlap)
-
-
-def _slab_reach(
-    piece: Piece, X_PO: Pose, sign: float, half_width: float, half_length: float
-) -> float:
-    """Return how far the part of a convex piece within the slab reaches along +y or -y of P.
-
-    The largest y over a convex set cut by |x| <= a, |z| <= b is the smallest value over multipliers
-    (s, t) of h(s, 1, t) + a |s| + b |t|, with h the reach of the set (convex duality).
-    """
-    X_PS = X_PO @ piece.X_OP
-    back = transpose(X_PS.rotation)
-
-    def bound(s: float, t: float) -> float:
-        direction: Vector = (s, sign, t)
-        outward = reach(piece.shape, rotate(back, direction)) + dot(X_PS.translation, direction)
-        return outward + half_width * abs(s) + half_length * abs(t)
-
-    centre = bound(0.0, 0.0)
-    around = ((1, 0), (-1, 0), (0, 1), (0, -1), (1, 1), (1, -1), (-1, 1), (-1, -1))
-    if all(bound(NUDGE * s, NUDGE * t) >= centre - 1e-12 for s, t in around):
-        return centre
-    return _smallest(lambda s: _smallest(lambda t: bound(s, t)))
-
-
-def _smallest(function: Callable[[float], float]) -> float:
-    """Return the smallest value of a convex function on the search range."""
-    low, high = -SEARCH, SEARCH
-    a, b = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
-    at_a, at_b = function(a), function(b)
-    for _ in range(STEPS):
-        if at_a <= at_b:
-            high, b, at_b = b, a, at_a
-            a = high - GOLDEN * (high - low)
-            at_a = function(a)
-        else:
-            low, a, at_a = a, b, at_b
-            b = low + GOLDEN * (high - low)
-            at_b = function(b)
-    return min(at_a, at_b)
