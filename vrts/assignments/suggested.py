@@ -235,7 +235,7 @@ def _grasps(search: _Search, body: Body, own: str, to_pads: Pose) -> Iterator[Po
     scene = search.setting.scene
     if own in search.locations:
         yield body.X_WO.inverse() @ search.locations[own] @ to_pads
-    others = [other for other in scene.bodies if other.name != body.name]
+    others = [placed_body(other) for other in scene.bodies if other.name != body.name]
     for X_OP in holds(scene.robot.gripper, body):
         if tried(scene, body.X_WO @ X_OP, others, (placed_body(body),)) is not None:
             yield X_OP

@@ -5,6 +5,8 @@ Boxes along the axes decide most questions; what they leave open is proven by th
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple
 
 from vrts.base.pose import Pose, translation
@@ -16,12 +18,23 @@ from vrts.robots.model import Configuration, Gripper, Robot, flange_in_hand
 from vrts.scene.model import Body
 
 
-class Placed(NamedTuple):
-    """A named union of pieces at its place in W."""
+@dataclass(frozen=True)
+class Placed:
+    """A named union of pieces at its place in W; the boxes round it are worked out once."""
 
     name: str
     pieces: tuple[Piece, ...]
     X_WO: Pose
+
+    @cached_property
+    def box(self) -> Bounds:
+        """The box along the axes of W that holds all of it."""
+        return bounds(self.pieces, self.X_WO)
+
+    @cached_property
+    def boxes(self) -> tuple[Bounds, ...]:
+        """The same box of each piece."""
+        return tuple(bounds((piece,), self.X_WO) for piece in self.pieces)
 
 
 class Nearness(NamedTuple):
@@ -67,14 +80,13 @@ def clearance(first: Placed, second: Placed, beyond: float = math.inf) -> float:
 
     Where it is certainly larger than `beyond`, a lower bound of it is returned instead.
     """
-    apart = _apart(bounds(first.pieces, first.X_WO), bounds(second.pieces, second.X_WO))
+    apart = _apart(first.box, second.box)
     if apart > beyond:
         return apart
     least = math.inf
-    for a in first.pieces:
-        box_a = bounds((a,), first.X_WO)
-        for b in second.pieces:
-            apart = _apart(box_a, bounds((b,), second.X_WO))
+    for a, box_a in zip(first.pieces, first.boxes, strict=True):
+        for b, box_b in zip(second.pieces, second.boxes, strict=True):
+            apart = _apart(box_a, box_b)
             if apart > min(beyond, least):
                 least = min(least, apart)
             else:
@@ -84,10 +96,9 @@ def clearance(first: Placed, second: Placed, beyond: float = math.inf) -> float:
 
 def overlap_is_within(first: Placed, second: Placed, tolerance: float) -> bool:
     """Return whether two unions of pieces are at most `tolerance` [m] deep in each other."""
-    for a in first.pieces:
-        box_a = bounds((a,), first.X_WO)
-        for b in second.pieces:
-            if _apart(box_a, bounds((b,), second.X_WO)) >= -tolerance:
+    for a, box_a in zip(first.pieces, first.boxes, strict=True):
+        for b, box_b in zip(second.pieces, second.boxes, strict=True):
+            if _apart(box_a, box_b) >= -tolerance:
                 continue  # the boxes alone show it: the depth is the least overlap in a direction
             if nearest(a, first.X_WO, b, second.X_WO).lower < -tolerance:
                 return False

@@ -73,8 +73,9 @@ def check_robot(robot: Robot, bodies: Sequence[Body], problems: Problems) -> Non
     """Report every body that is in the robot as it stands ready. The floor may touch its base."""
     parts = placed_robot(robot, robot.arm.ready, robot.gripper.opening_min)
     for body in bodies:
+        placed = placed_body(body)
         for part in parts:
-            if body.kind == "floor" or overlap_is_within(part, placed_body(body), DEEPEST):
+            if body.kind == "floor" or overlap_is_within(part, placed, DEEPEST):
                 continue
             problems.error(
                 OVERLAP,

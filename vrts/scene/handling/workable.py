@@ -38,8 +38,9 @@ def best_place(
         own: What it is about to grip or has let go.
     """
     best: Place | None = None
+    neighbours = [placed_body(other) for other in others]
     for X_WP in poses:
-        place = tried(scene, X_WP, others, own)
+        place = tried(scene, X_WP, neighbours, own)
         if place is None:
             continue
         if place.margin >= GOOD_MARGIN:
@@ -49,7 +50,9 @@ def best_place(
     return best
 
 
-def tried(scene: Scene, X_WP: Pose, others: Sequence[Body], own: Sequence[Placed]) -> Place | None:
+def tried(
+    scene: Scene, X_WP: Pose, others: Sequence[Placed], own: Sequence[Placed]
+) -> Place | None:
     """Return a place with the pads at a pose, if the robot can work there."""
     robot = scene.robot
     X_WF = X_WP @ robot.gripper.X_FP.inverse()
@@ -68,7 +71,7 @@ def tried(scene: Scene, X_WP: Pose, others: Sequence[Body], own: Sequence[Placed
         parts = placed_robot(robot, way.configuration, robot.gripper.opening_max)
         moving = [part for part in parts if part.name != robot.arm.links[0].name]
         for part in moving:
-            if any(near(part, placed_body(other), LEAST_GAP) for other in others):
+            if any(near(part, other, LEAST_GAP) for other in others):
                 return None
             if X_BF is X_WF and any(near(part, held, LEAST_PAD_GAP) for held in own):
                 return None
