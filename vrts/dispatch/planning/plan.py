@@ -9,6 +9,7 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from vrts.base.diagnostic import Diagnostic, Severity, error
+from vrts.base.remembered import Memory
 from vrts.base.units import MM
 from vrts.check.judge import judge
 from vrts.dispatch.bundle import Bundle
@@ -171,12 +172,15 @@ def _with_margins(one: Scened, held: Module, wish: Wish, entry: str) -> Scened:
     if obstacles(one.held):
         return one
     subject = Subject(held, entry, one.world, one.held.run, one.near.clearance_m)
-    found = margins.margins(subject, wish.workers)
-    failed = next((m for m in found if m.answer == "violated"), None)
-    if failed is not None:
-        return one._replace(margins=found, first_to_fail=f"{failed.name}: {failed.sentence}")
-    words = margins.first_to_fail(subject, wish.workers) if wish.fails_first else margins.NOT_ASKED
-    stopped = stops(subject, wish.environment, wish.workers)
+    with Memory().in_use():  # most motions are the same in most worlds
+        found = margins.margins(subject, wish.workers)
+        failed = next((m for m in found if m.answer == "violated"), None)
+        if failed is not None:
+            return one._replace(margins=found, first_to_fail=f"{failed.name}: {failed.sentence}")
+        words = margins.NOT_ASKED
+        if wish.fails_first:
+            words = margins.first_to_fail(subject, wish.workers)
+        stopped = stops(subject, wish.environment, wish.workers)
     return one._replace(margins=found, first_to_fail=words, stops=stopped)
 
 
