@@ -20,6 +20,8 @@ FLAGS = [
     "--disable-component-update",
     "--no-first-run",
 ]
+# a GPU in software puts a page together ten times as slowly as the processor; canvases draw by it
+NO_GPU = "--disable-gpu-compositing"
 # pixels of a picture cost much where no GPU helps
 DOTS = 0.25  # pixels to a dot of the page, each way
 # and so do frames of an animation: ten in a second are enough
@@ -36,12 +38,16 @@ PIXEL = bytes.fromhex(
 
 
 @contextmanager
-def chromium() -> Generator[Browser]:
-    """Give a Chromium; skip what needs it where it is not installed."""
+def chromium(*, measured: bool = False) -> Generator[Browser]:
+    """Give a Chromium; skip what needs it where it is not installed.
+
+    One that is `measured` puts its pages together by the GPU, as those of users do.
+    """
     if not Path(CHROMIUM).exists():
         pytest.skip("needs Chromium")
     with sync_playwright() as playwright:
-        opened = playwright.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
+        flags = FLAGS if measured else [*FLAGS, NO_GPU]
+        opened = playwright.chromium.launch(executable_path=CHROMIUM, args=flags)
         yield opened
         opened.close()
 
