@@ -1,7 +1,8 @@
 """Whatever is done to a saved run: it is refused in one diagnostic, or it answers everything."""
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
 from typing import Any, cast
 
 import numpy as np
@@ -24,15 +25,20 @@ from tests.support_saved import (
     with_table,
 )
 from vrts.base.diagnostic import Diagnostic
+from vrts.base.source import SourceFile
 from vrts.engine.run import Run
 from vrts.engine.storage.load import LAYOUT
+from vrts.lang.compiler import Compilation, Options, compile_sources
 from vrts.pipeline.alone import robot_alone
 from vrts.pipeline.compiling.reading import ProgramFile
 from vrts.pipeline.refused import Refused
 from vrts.pipeline.request import Request
+from vrts.run_files import loading
 from vrts.run_files.loading import check_again, load_run
 from vrts.run_files.saving import saved_bytes
 from vrts.run_files.simulated import simulate
+from vrts.scene.model import Scene
+from vrts.scene.reading.scene_file import read_scene
 
 
 class Saved(bytes):
@@ -41,6 +47,29 @@ class Saved(bytes):
     def __repr__(self) -> str:
         """Return its length."""
         return f"<saved run of {len(self)} bytes>"
+
+
+MODULES: dict[object, Compilation] = {}
+SCENES: dict[object, tuple[Scene | None, tuple[Diagnostic, ...]]] = {}
+
+
+def compiled_once(sources: Sequence[SourceFile], options: Options) -> Compilation:
+    """Return what the compiler makes of programs, again where the texts are the same."""
+    key = (tuple((one.name, one.text) for one in sources), options)
+    if key not in MODULES:
+        MODULES[key] = compile_sources(sources, options)
+    return MODULES[key]
+
+
+def read_once(
+    source: SourceFile, folder: Path | None, *, files: Mapping[str, bytes] | None
+) -> tuple[Scene | None, tuple[Diagnostic, ...]]:
+    """Return what a scene's text says, again where it is the same."""
+    assert files is None
+    key = (source.name, source.text, folder)
+    if key not in SCENES:
+        SCENES[key] = read_scene(source, folder)
+    return SCENES[key]
 
 
 FILES = (Saved(file_of(busy)), Saved(file_of(carrying)))
@@ -84,11 +113,17 @@ def answers_or_is_refused(data: bytes) -> None:
 
 
 def taken(data: bytes) -> Run | tuple[Diagnostic, ...]:
-    """Return the run of a file, or why it is not taken."""
-    try:
-        return loaded(data)
-    except Refused as refused:
-        return refused.diagnostics
+    """Return the run of a file, or why it is not taken.
+
+    Most changes are not in its texts: of those that are the same, programs and scene are made once.
+    """
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(loading, "compile_sources", compiled_once)
+        patch.setattr(loading, "read_scene", read_once)
+        try:
+            return loaded(data)
+        except Refused as refused:
+            return refused.diagnostics
 
 
 @settings(max_examples=examples(25))
