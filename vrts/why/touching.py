@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 
 from vrts.base.pose import Vector, subtract
 from vrts.check.verdict import ContactEvent, sides
@@ -173,7 +174,7 @@ def _touched(steps: Steps, event: ContactEvent) -> Placed:
         box = bounds((piece,), other.X_WO)
         return gap(box, event.point)
 
-    return other._replace(pieces=(min(other.pieces, key=apart),))
+    return replace(other, pieces=(min(other.pieces, key=apart),))
 
 
 def _side(out: Vector) -> str:
@@ -206,7 +207,7 @@ def _moving(steps: Steps, event: ContactEvent) -> Placed | None:
     state = run.at(min(event.deepest_s, run.horizon_s))
     for placed in placed_hand(run.scene.robot.gripper, state.X_WF, state.hand_opening):
         if placed.name == event.parts[0] or (event.parts[0] == "palm" and placed.name == "hand"):
-            return placed._replace(name=f"the {event.parts[0]}")
+            return replace(placed, name=f"the {event.parts[0]}")
     return None
 
 
