@@ -40,9 +40,9 @@ def slab_reach(
     if all(bound(NUDGE * s)(NUDGE * t) >= centre - 1e-12 for s, t in AROUND):
         return centre
     if isinstance(shape, Hull):
-        foremost = Hull(_foremost(shape.points, X_PS, sign))
-        bound = _bound(foremost, X_PS, sign, half_width, half_length)
-    return _smallest(lambda s: _smallest(bound(s)))
+        ahead = Hull(foremost(shape.points, X_PS, sign))
+        bound = _bound(ahead, X_PS, sign, half_width, half_length)
+    return smallest(lambda s: smallest(bound(s)))
 
 
 def _bound(
@@ -87,7 +87,7 @@ def _bound(
     return sliced
 
 
-def _foremost(points: Sequence[Vector], X_PS: Pose, sign: float) -> tuple[Vector, ...]:
+def foremost(points: Sequence[Vector], X_PS: Pose, sign: float) -> tuple[Vector, ...]:
     """Return the points of which one is the farthest, whatever the multipliers are.
 
     How far a point is grows evenly with each of them. So a point that stays behind another at all
@@ -106,7 +106,7 @@ def _foremost(points: Sequence[Vector], X_PS: Pose, sign: float) -> tuple[Vector
     return tuple(point for point, own in zip(points, far, strict=True) if not behind(own))
 
 
-def _smallest(function: Slice) -> float:
+def smallest(function: Slice) -> float:
     """Return the smallest value of a convex function on the search range."""
     low, high = -SEARCH, SEARCH
     a, b = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
