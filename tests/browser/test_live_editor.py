@@ -100,7 +100,9 @@ def test_a_program_is_written_with_help_saved_and_run(browser: Browser, server: 
     moments: dict[str, float] = {}
     for words in ("#PPOINT(60", "#PPOINT(-60"):
         anna.until(f"({lit}).includes({words!r})")
-        moments[words] = anna.value("vrts.world.now")
+        told = "vrts.store.now.status"  # what is drawn lags behind it
+        anna.until(f"{told}.text.includes({words!r}) && (window.then = {told}.time_s)")
+        moments[words] = anna.value("window.then")
     assert page.is_disabled("button:text-is('Run')")
     page.click(".bench button:text-is('Abort')")
     anna.until("vrts.store.now.status.mode === 'stopped'")
