@@ -74,7 +74,6 @@ def test_a_line_of_the_tree_tells_its_story_and_its_scenario(browser: Browser, p
 
 def test_axe_finds_nothing(browser: Browser, path: Path) -> None:
     view = opened(browser, path)
-    until(view, "document.querySelectorAll('#lanes .lane').length > 0")
     view.page.evaluate(AXE)
     for width, dark in ALL_LOOKS:
         assert faults(view, width, dark=dark) == [], (width, dark)

@@ -29,6 +29,7 @@ export class Lanes {
     this.hint.hidden = true;
     cursor.append(this.hint);
     box.replaceChildren(...lanes.map((lane) => this.row(lane)), this.ruler(), cursor);
+    box.setAttribute("role", "img"); // not before it has a name
     box.setAttribute("aria-label", `Over time: ${lanes.map((lane) => lane.name).join(", ")}. The list of events says the same in words.`);
     const time = (/** @type {PointerEvent} */ event) => {
       const area = cursor.getBoundingClientRect();
