@@ -1570,6 +1570,20 @@ PATCHES: tuple[Patch, ...] = (
         (REMOTE,),
     ),
     Patch(
+        "results that were changed on the way home are taken",
+        "vrts/marking/remote/marked.py",
+        "if signed and hashlib.sha256(data).hexdigest() != used.files.get(file):",
+        "if signed and used.files.get(file) is None:",
+        (REMOTE,),
+    ),
+    Patch(
+        "a mark that its parts do not give is taken",
+        "vrts/marking/remote/recounted.py",
+        "if mark not in possible:",
+        "if mark > result.total:",
+        (REMOTE,),
+    ),
+    Patch(
         "a lost result takes the place of a mark",
         "vrts/marking/remote/merge.py",
         "if marks.staff.kind in NO_MARK and before is not None",

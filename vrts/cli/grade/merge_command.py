@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import click
 
 from vrts.cli.grade.what_to_mark import require_folder
-from vrts.cli.shared.console import HOLDS, WRONG, fail, guarded, out, show_diagnostics
+from vrts.cli.shared.console import HOLDS, WRONG, fail, guarded, out, say, show_diagnostics
 from vrts.cli.shared.options import color_option, file_option
 
 if TYPE_CHECKING:
@@ -38,14 +38,26 @@ merged is not marked again; what is missing is marked here:
     required=True,
     help="Folder of the marking.",
 )
+@click.option(
+    "--unsigned",
+    is_flag=True,
+    help="Take results of a plan of an earlier vrts, which nothing signed.",
+)
 @color_option
 @guarded
-def command(plan: Path, results: tuple[Path, ...], folder: Path, color: str) -> None:
+def command(
+    plan: Path, results: tuple[Path, ...], folder: Path, unsigned: bool, color: str
+) -> None:
     """Put RESULTS of shards where marking puts them, under the students' own ids.
 
     PLAN is the folder of `vrts grade plan`, or its key.json; RESULTS are zips of `vrts grade run`,
-    or folders of them. Results that are damaged, or belong to another plan, are refused one by one.
-    You can call it again with more results. Exit status 1 when results are refused or missing.
+    or folders of them. Every shard signs its results: what was changed on the way is refused, and
+    so is a result whose parts do not give its mark, or that is not about the program that was sent.
+    Each is named, with the shard to run again; the others are taken. You can call it again with
+    more results. Exit status 1 when results are refused or missing.
+
+    A signature shows that results come from who had the shard, not that this machine told the
+    truth: mark on machines that you trust.
     """
     from vrts.marking.about import NAME
     from vrts.marking.class_files import begin_class
@@ -59,8 +71,10 @@ def command(plan: Path, results: tuple[Path, ...], folder: Path, color: str) -> 
     key = read_key(plan)
     if not (Layout(folder).staff / NAME).exists():
         begin_class(_about(key), Layout(folder))
-    merged = merge(key, list(_zips(results)), Layout(folder))
+    merged = merge(key, list(_zips(results)), Layout(folder), unsigned=unsigned)
     show_diagnostics(merged.findings, color)
+    if key.secret is None:
+        say("note: the plan is of an earlier vrts: nothing shows whether its results were changed")
     total = sum(len(sent.entries) for sent in key.shards) + len(key.others)
     out(f"{folder}: {total - len(merged.missing)} of {total} submissions have results")
     sys.exit(WRONG if merged.findings else HOLDS)

@@ -110,9 +110,11 @@ class _Shards:
     def _taken(self, results: bytes, cut: Cut) -> tuple[list[Done] | None, str]:
         """Return the rows of a shard, written; or None and why there are none."""
         try:
-            rows = take(MarkedShard(results, f"shard {cut.number}"), self._key, self._layout)
+            taken = take(MarkedShard(results, f"shard {cut.number}"), self._key, self._layout)
         except Refused as refused:
             return None, "; ".join(d.headline for d in refused.diagnostics)
+        if taken.findings:  # all of the shard is marked again
+            return None, "; ".join(d.headline for d in taken.findings)
         found = [
             Done(
                 self._entries[row.naming.identifier],
@@ -122,7 +124,7 @@ class _Shards:
                 row.seconds,
                 row.peak,
             )
-            for row in rows
+            for row in taken.rows
         ]
         return found, ""
 

@@ -1,4 +1,8 @@
-"""Puts results from other machines where marking at home puts them, under the names of home."""
+"""Puts results from other machines where marking at home puts them, under the names of home.
+
+Nothing is taken on trust that home can find out by itself; see `signed` and `recounted`. What
+cannot be taken of one submission leaves the others as they are.
+"""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -10,9 +14,11 @@ import msgspec
 from vrts.base.diagnostic import Diagnostic, Rule, error, warning
 from vrts.marking.layout import LOST, RESULT, Layout, write_atomically
 from vrts.marking.marking import take_files, write_marks
-from vrts.marking.remote.marked import MarkedRow, MarkedShard
+from vrts.marking.remote.marked import MarkedRow, MarkedShard, NotTaken
 from vrts.marking.remote.names import Naming, page_at_home, result_at_home
 from vrts.marking.remote.plan import Expected, Home, Key, Sent
+from vrts.marking.remote.recounted import contradiction
+from vrts.marking.remote.signed import secret_of_shard
 from vrts.marking.result import Damaged, Kind, Result, from_bytes
 from vrts.marking.submission.marker import STAFF, Marks
 from vrts.pipeline.files import CannotRead
@@ -21,6 +27,8 @@ from vrts.pipeline.refused import Refused
 FOREIGN = Rule("V724", "foreign-results")
 UNFIT = Rule("V725", "results-that-do-not-fit")
 INCOMPLETE = Rule("V726", "results-missing")
+CHANGED = Rule("V730", "changed-results")
+UNSIGNED = Rule("V731", "unsigned-results")
 
 NO_MARK = (Kind.RESOURCE, Kind.FAULT)  # never take the place of anything better
 MOST_NAMED = 20  # of what is missing
@@ -35,6 +43,13 @@ class HomeRow(NamedTuple):
     peak: int  # bytes of memory in use
 
 
+class Taken(NamedTuple):
+    """What was taken of one shard."""
+
+    rows: list[HomeRow]
+    findings: list[Diagnostic]  # why the rest was not
+
+
 class Merged(NamedTuple):
     """What came of merging."""
 
@@ -43,17 +58,21 @@ class Merged(NamedTuple):
     missing: tuple[str, ...]  # identifiers of what has no result yet
 
 
-def merge(key: Key, sources: Sequence[Path], layout: Layout) -> Merged:
+def merge(key: Key, sources: Sequence[Path], layout: Layout, *, unsigned: bool = False) -> Merged:
     """Write all results that belong to a plan; what is there already may come again.
 
     Args:
         key: Of the plan.
         sources: The zips that `run_shard` made.
         layout: Where the results go.
+        unsigned: Whether to take results of a plan of before, which are not signed.
 
     Raises:
         CannotRead: A file cannot be read.
+        Refused: The plan is one of before, and its results are not to be taken.
     """
+    if key.secret is None and not unsigned:
+        raise _unsigned()
     for other in key.others:
         _write(other.marks, other.files, layout)
     rows: dict[str, HomeRow] = {}
@@ -61,8 +80,9 @@ def merge(key: Key, sources: Sequence[Path], layout: Layout) -> Merged:
     for path in sources:
         try:
             with path.open("rb") as file:
-                for row in take(MarkedShard(file, path.name), key, layout):
-                    rows[row.naming.identifier] = row
+                taken = take(MarkedShard(file, path.name), key, layout)
+            rows |= {row.naming.identifier: row for row in taken.rows}
+            findings += taken.findings
         except Refused as refused:
             findings += refused.diagnostics
         except OSError as problem:
@@ -80,55 +100,82 @@ def merge(key: Key, sources: Sequence[Path], layout: Layout) -> Merged:
     return Merged(tuple(rows.values()), tuple(findings), absent)
 
 
-def take(marked: MarkedShard, key: Key, layout: Layout | None) -> list[HomeRow]:
-    """Write the results of one shard, if they are what the plan expects, and return them.
+def take(marked: MarkedShard, key: Key, layout: Layout | None) -> Taken:
+    """Write the results of one shard, as far as they are what the plan expects, and return them.
 
     Raises:
-        Refused: They are damaged, or belong to something else.
+        Refused: The whole is damaged, was changed, or belongs to something else.
     """
-    expected = _expected(marked, key)
-    pairs = [(row, expected[row.pseudonym]) for row in marked.rows()]
-    for row, entry in pairs:
-        _check(marked, row, entry, key)
-    taken: list[HomeRow] = []
-    for row, entry in pairs:
+    sent = _sent(marked, key)
+    expected = {entry.naming.pseudonym: entry for entry in sent.entries}
+    rows: list[HomeRow] = []
+    findings: list[Diagnostic] = []
+    for used in marked.contents.rows:
+        entry = expected.pop(used.pseudonym, None)
+        if entry is None:
+            why = f"`{used.pseudonym}` is not of this shard"
+            findings.append(_unfit(marked, sent, why))
+            continue
         naming = entry.naming
+        try:
+            row = marked.row(used)
+            _check(row, entry, key)
+        except NotTaken as problem:
+            why = f"the result of `{naming.identifier}` is not taken: {problem}"
+            findings.append(_unfit(marked, sent, why))
+            continue
         marks = Marks(_home(row.staff, naming, key.staff), _home(row.student, naming, key.student))
         if layout is not None:
-            _write_marked(marks, marked.files(row.pseudonym), entry, layout)
-        taken.append(HomeRow(naming, marks, row.seconds, row.peak))
-    return taken
+            _write_marked(marks, row.files, entry, layout)
+        rows.append(HomeRow(naming, marks, row.seconds, row.peak))
+    for entry in expected.values():
+        why = f"there is no result of `{entry.naming.identifier}` in it"
+        findings.append(_unfit(marked, sent, why))
+    return Taken(rows, findings)
 
 
-def _expected(marked: MarkedShard, key: Key) -> dict[str, Expected]:
-    """Return what a plan expects of a shard, by pseudonym."""
+def _sent(marked: MarkedShard, key: Key) -> Sent:
+    """Return the shard of a plan that results are of, if nobody has changed them."""
     contents = marked.contents
     sent = next((sent for sent in key.shards if sent.number == contents.number), None)
     if contents.plan != key.plan or sent is None:
         raise _foreign(f"`{marked.name}` holds results of another plan")
     if contents.shard != sent.sha256:
         raise _foreign(f"`{marked.name}` holds results of a shard that was changed")
-    expected = {entry.naming.pseudonym: entry for entry in sent.entries}
-    if expected.keys() != {row.pseudonym for row in contents.rows}:
-        raise _unfit(f"`{marked.name}` does not hold the submissions of its shard")
-    return expected
+    if key.secret is not None:
+        secret = secret_of_shard(key.secret, key.plan, sent.number)
+        if not marked.is_signed(secret):
+            raise _changed(marked, sent)
+    return sent
 
 
-def _check(marked: MarkedShard, row: MarkedRow, entry: Expected, key: Key) -> None:
-    """Refuse results that are not about the program, task and vrts that were sent."""
+def _check(row: MarkedRow, entry: Expected, key: Key) -> None:
+    """Check that results are about the program, task and vrts that were sent, and add up.
+
+    Raises:
+        NotTaken: They are not, or do not.
+    """
     for result, home, expected in (
         (row.staff, key.staff, entry.staff),
         (row.student, key.student, entry.student),
     ):
-        about = result.id == entry.naming.pseudonym and result.key == expected
-        same = (result.task.sha256, result.scene.sha256) == (home.task.sha256, home.scene.sha256)
+        if result.id != entry.naming.pseudonym:
+            raise NotTaken("it is of another submission")
+        if (result.task.sha256, result.scene.sha256) != (home.task.sha256, home.scene.sha256):
+            raise NotTaken("it is of another task or scene")
+        if home.total is not None and result.total != home.total:
+            raise NotTaken(f"it is out of {result.total:g} points, and the task of {home.total:g}")
         program = result.program
-        its = program is None or (program.sha256, program.name) == (
-            entry.program,
-            entry.naming.label,
-        )
-        if not (about and same and its):
-            raise _unfit(f"`{marked.name}` holds a result that does not fit its submission")
+        if program is None and result.kind is not Kind.RESOURCE:
+            raise NotTaken("it does not tell of which program it is")
+        planned = (entry.program, entry.naming.label)
+        if program is not None and (program.sha256, program.name) != planned:
+            raise NotTaken("it is of another program")
+        if result.key != expected:
+            raise NotTaken("it was made with another vrts, or with other options")
+        why = contradiction(result)
+        if why is not None:
+            raise NotTaken(why)
 
 
 def _home(result: Result, naming: Naming, home: Home) -> Result:
@@ -198,6 +245,27 @@ def _foreign(headline: str) -> Refused:
     return Refused((error(FOREIGN, headline, help=(remedy,)),))
 
 
-def _unfit(headline: str) -> Refused:
-    remedy = "run the shard again, with the vrts that made the plan"
-    return Refused((error(UNFIT, headline, help=(remedy,)),))
+def _changed(marked: MarkedShard, sent: Sent) -> Refused:
+    count = len(sent.entries)
+    whose = "the result of 1 submission" if count == 1 else f"the results of {count} submissions"
+    headline = f"`{marked.name}`, shard {sent.number}: it was changed after it was signed"
+    note = f"{whose} in it {'is' if count == 1 else 'are'} not taken"
+    return Refused((error(CHANGED, headline, notes=(note,), help=(_again(sent),)),))
+
+
+def _unsigned() -> Refused:
+    headline = "the plan is of an earlier vrts: nothing shows whether its results were changed"
+    remedies = (
+        "plan again with `vrts grade plan --overwrite`, and run the shards again",
+        "or take them as they are, with `vrts grade merge --unsigned`",
+    )
+    return Refused((error(UNSIGNED, headline, help=remedies),))
+
+
+def _unfit(marked: MarkedShard, sent: Sent, why: str) -> Diagnostic:
+    headline = f"`{marked.name}`, shard {sent.number}: {why}"
+    return error(UNFIT, headline, help=(_again(sent),), data={"shard": sent.number})
+
+
+def _again(sent: Sent) -> str:
+    return f"run shard {sent.number} again on a machine that you trust, and merge again"

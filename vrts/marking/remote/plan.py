@@ -16,6 +16,7 @@ from vrts.marking.remote.marked import written
 from vrts.marking.remote.names import Naming, named_anew
 from vrts.marking.remote.portable import portable
 from vrts.marking.remote.shard import Cut, Job, PlanId, cut, digest_of
+from vrts.marking.remote.signed import Secret, new_secret
 from vrts.marking.result import Digest, Named, Record
 from vrts.marking.submission.marker import Marker, Marks
 from vrts.marking.submission.summary import task_named
@@ -26,7 +27,8 @@ from vrts.pipeline.setting import Setting
 
 BAD_PLAN = Rule("V723", "bad-plan")
 
-SCHEMA = "vrts.plan/1"
+SCHEMA = "vrts.plan/2"
+UNSIGNED = "vrts.plan/1"  # of a vrts whose shards signed nothing
 KEY, SHARDS = "key.json", "shards"  # in the folder of a plan
 LARGEST = 512_000_000  # bytes of a key
 PRIVATE = 0o600  # a shard holds the hidden checks, the key the names
@@ -54,6 +56,7 @@ class Home(Record, frozen=True):
 
     task: Named
     scene: Named
+    total: float | None = None  # points; None: of a plan that did not say
 
 
 class Other(Record, frozen=True):
@@ -66,12 +69,13 @@ class Other(Record, frozen=True):
 class Key(Record, frozen=True):
     """What stays at home."""
 
-    schema: Literal["vrts.plan/1"]
+    schema: Literal["vrts.plan/1", "vrts.plan/2"]
     plan: PlanId
     staff: Home
     student: Home
     shards: tuple[Sent, ...]
     others: tuple[Other, ...]
+    secret: Secret | None = None  # from it come those of shards; None: of an earlier vrts
 
 
 class Plan(NamedTuple):
@@ -96,7 +100,13 @@ def make_plan(
         CannotRead: A file of the task cannot be taken along.
         Refused: The task has errors.
     """
-    job = Job(secrets.token_hex(8), portable(marker.place), marker.wanted, limits or marker.limits)
+    job = Job(
+        secrets.token_hex(8),
+        new_secret(),
+        portable(marker.place),
+        marker.wanted,
+        limits or marker.limits,
+    )
     named = [(e, named_anew(e.identifier, e.title)) for e in entries if e.data is not None]
     expected = {naming.pseudonym: _expected(marker, entry, naming) for entry, naming in named}
     cuts = tuple(cut(job, named, shards))
@@ -106,7 +116,7 @@ def make_plan(
     )
     others = tuple(_other(marker, entry) for entry in entries if entry.data is None)
     homes = _home(marker.whole), _home(marker.public)
-    return Plan(cuts, Key(SCHEMA, job.plan, *homes, sent, others))
+    return Plan(cuts, Key(SCHEMA, job.plan, *homes, sent, others, job.secret))
 
 
 def write_plan(plan: Plan, folder: Path) -> list[Path]:
@@ -132,8 +142,12 @@ def read_key(place: Path) -> Key:
     data = read_bytes(path)
     try:
         if len(data) <= LARGEST:
-            return msgspec.json.decode(data, type=Key)
-        why = f"it has more than {LARGEST:,} bytes"
+            key = msgspec.json.decode(data, type=Key)
+            if (key.secret is None) == (key.schema == UNSIGNED):
+                return key
+            why = "its secret is missing"
+        else:
+            why = f"it has more than {LARGEST:,} bytes"
     except msgspec.MsgspecError as problem:
         why = str(problem)
     headline = f"`{path.name}` is not the key of a plan: {why[:200]}"
@@ -156,8 +170,10 @@ def _other(marker: Marker, entry: Entry) -> Other:
 
 
 def _home(setting: Setting) -> Home:
-    scene = setting.scene
-    return Home(task_named(setting), Named(scene.name, scene.name, scene.digest))
+    scene, task = setting.scene, setting.task
+    assert task is not None
+    named = Named(scene.name, scene.name, scene.digest)
+    return Home(task_named(setting), named, float(task.mark.total))
 
 
 def _write(path: Path, data: bytes) -> None:

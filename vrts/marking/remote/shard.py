@@ -1,6 +1,7 @@
 """A shard: some submissions of a class, with all that another machine needs to mark them.
 
 It names nobody: submissions have pseudonyms, and of what was handed in only the program goes along.
+Its secret signs its results.
 """
 
 import hashlib
@@ -15,6 +16,7 @@ from vrts.base.diagnostic import Rule, error
 from vrts.marking.marking import Entry
 from vrts.marking.remote.names import Label, Naming, Pseudonym
 from vrts.marking.remote.portable import PortableTask
+from vrts.marking.remote.signed import Secret, secret_of_shard
 from vrts.marking.result import Digest, Record
 from vrts.marking.submission.one import Wanted
 from vrts.marking.supervise.limits import Limits
@@ -23,7 +25,8 @@ from vrts.pipeline.refused import Refused
 BAD_SHARD = Rule("V720", "bad-shard")
 OTHER_VRTS = Rule("V721", "shard-of-another-vrts")
 
-SCHEMA = "vrts.shard/1"
+SCHEMA = "vrts.shard/2"
+UNSIGNED = "vrts.shard/1"  # of a vrts that signed nothing
 LARGEST = 1_000_000_000  # bytes of a shard
 PlanId = Annotated[str, Meta(pattern=r"^[0-9a-f]{16}$")]
 Number = Annotated[int, Meta(ge=1, le=100_000)]
@@ -40,7 +43,7 @@ class Piece(Record, frozen=True):
 class Shard(Record, frozen=True):
     """What is written into the file; bytes are base64 there."""
 
-    schema: Literal["vrts.shard/1"]
+    schema: Literal["vrts.shard/1", "vrts.shard/2"]
     plan: PlanId
     number: Number
     vrts: str  # the version that has to mark it
@@ -48,6 +51,7 @@ class Shard(Record, frozen=True):
     wanted: Wanted
     limits: Limits
     pieces: tuple[Piece, ...]
+    secret: Secret | None = None  # signs the results; None: of a vrts that signed nothing
 
     @property
     def longest_s(self) -> float:
@@ -68,6 +72,7 @@ class Job(NamedTuple):
     """What all shards of a plan have in common."""
 
     plan: str
+    secret: Secret  # of the plan: it stays at home
     task: PortableTask
     wanted: Wanted
     limits: Limits
@@ -84,7 +89,15 @@ def cut(job: Job, entries: Sequence[tuple[Entry, Naming]], count: int) -> Iterat
             if entry.data is not None
         ]
         shard = Shard(
-            SCHEMA, job.plan, k + 1, __version__, job.task, job.wanted, job.limits, tuple(pieces)
+            SCHEMA,
+            job.plan,
+            k + 1,
+            __version__,
+            job.task,
+            job.wanted,
+            job.limits,
+            tuple(pieces),
+            secret_of_shard(job.secret, job.plan, k + 1),
         )
         data = msgspec.json.encode(shard) + b"\n"
         yield Cut(shard.number, data, tuple(naming for _, naming in part), shard.longest_s)
@@ -102,6 +115,8 @@ def read_shard(data: bytes) -> Shard:
         shard = msgspec.json.decode(data, type=Shard)
     except msgspec.MsgspecError as problem:
         raise _bad(str(problem)) from problem
+    if (shard.secret is None) != (shard.schema == UNSIGNED):
+        raise _bad("what signs its results is missing")
     if len({piece.pseudonym for piece in shard.pieces}) != len(shard.pieces):
         raise _bad("a submission is in it twice")
     if shard.vrts != __version__:

@@ -15,10 +15,12 @@ from tests.unit.marking.remote.support import CLASS, NAMES, files, task
 from vrts.base.diagnostic import Diagnostic
 from vrts.marking.layout import Layout
 from vrts.marking.marking import mark_class
+from vrts.marking.remote.marked import Used, signed_contents
 from vrts.marking.remote.merge import Merged, merge
 from vrts.marking.remote.plan import make_plan, read_key, write_plan
 from vrts.marking.remote.run_shard import run_shard
 from vrts.marking.remote.shard import digest_of, read_shard
+from vrts.marking.remote.signed import secret_of_shard, signature
 from vrts.marking.result import Kind
 from vrts.marking.submission.marker import Marker
 from vrts.marking.submission.one import Wanted
@@ -26,6 +28,8 @@ from vrts.marking.submission.setting import Place
 from vrts.marking.supervise.limits import Limits
 from vrts.pipeline.files import CHECKOUT
 from vrts.pipeline.refused import Refused
+
+FOREIGN = secret_of_shard("ab" * 32, "0" * 16, 2)  # of another shard
 
 
 class Sent(NamedTuple):
@@ -146,10 +150,70 @@ def changed(path: Path, target: Path, change: Callable[[dict[str, bytes]], None]
     return target
 
 
-def change_key(members: dict[str, bytes]) -> None:
+def pseudonym(sent: Sent, identifier: str) -> str:
+    """Return what a submission is called in its shard."""
+    entries = [entry for shard in read_key(sent.plan).shards for entry in shard.entries]
+    return next(e.naming.pseudonym for e in entries if e.naming.identifier == identifier)
+
+
+def lied(sent: Sent, target: Path, change: Callable[[dict[str, bytes]], None]) -> Path:
+    """Write a zip as a machine can make it that has the first shard, and lies."""
+    shard = read_shard(sent.shards[0].read_bytes())
+    digest = digest_of(sent.shards[0].read_bytes())
+
+    def sign(members: dict[str, bytes]) -> None:
+        del members["marked.json"], members["signature.txt"]
+        change(members)
+        files: dict[str, dict[str, str]] = {}
+        for name, data in members.items():
+            whose, _, file = name.partition("/")
+            files.setdefault(whose, {})[file] = digest_of(data)
+        members |= signed_contents(shard, digest, [Used(n, 1.0, 1, f) for n, f in files.items()])
+
+    return changed(sent.results[0], target, sign)
+
+
+def change_mark(members: dict[str, bytes]) -> None:
     name = next(name for name in members if name.endswith("staff/result.json"))
-    result = json.loads(members[name])
-    members[name] = json.dumps(result | {"key": "0" * 64}).encode()
+    members[name] = json.dumps(json.loads(members[name]) | {"mark": 9.9}).encode()
+
+
+def change_page(members: dict[str, bytes]) -> None:
+    name = next(name for name in members if name.endswith("student/report.html"))
+    members[name] += b"<script>alert(1)</script>"
+
+
+def drop_a_page(members: dict[str, bytes]) -> None:
+    del members[next(name for name in members if name.endswith("staff/report.html"))]
+
+
+def change_contents(members: dict[str, bytes]) -> None:
+    """Change a mark, and its digest in the table of contents."""
+    name = next(name for name in members if name.endswith("staff/result.json"))
+    before = digest_of(members[name])
+    change_mark(members)
+    after = digest_of(members[name])
+    members["marked.json"] = members["marked.json"].replace(before.encode(), after.encode())
+
+
+def drop_the_signature(members: dict[str, bytes]) -> None:
+    del members["signature.txt"]
+
+
+def forge_as_another_shard(members: dict[str, bytes]) -> None:
+    """Sign with the secret of another shard of the same plan."""
+    change_contents(members)
+    members["signature.txt"] = signature(FOREIGN, members["marked.json"]).encode()
+
+
+def unsign(members: dict[str, bytes]) -> None:
+    """Pretend to be of an earlier vrts."""
+    contents = json.loads(members["marked.json"]) | {"schema": "vrts.marked/1"}
+    for row in contents["rows"]:
+        del row["files"]
+    members["marked.json"] = json.dumps(contents).encode()
+    del members["signature.txt"]
+    change_mark(members)
 
 
 def drop_a_result(members: dict[str, bytes]) -> None:
@@ -179,7 +243,7 @@ def add_a_program(members: dict[str, bytes]) -> None:
 
 
 def spoil_contents(members: dict[str, bytes]) -> None:
-    members["marked.json"] = members["marked.json"].replace(b"vrts.marked/1", b"vrts.marked/9")
+    members["marked.json"] = members["marked.json"].replace(b"vrts.marked/2", b"vrts.marked/9")
 
 
 def clear(members: dict[str, bytes]) -> None:
@@ -194,10 +258,11 @@ def change_shard(members: dict[str, bytes]) -> None:
 @pytest.mark.parametrize(
     ("change", "code"),
     [
-        (change_key, "V725"),
-        (drop_a_result, "V722"),
-        (drop_a_row, "V725"),
-        (swap_results, "V725"),
+        (drop_a_row, "V730"),
+        (change_contents, "V730"),
+        (drop_the_signature, "V730"),
+        (forge_as_another_shard, "V730"),
+        (unsign, "V730"),
         (escape, "V722"),
         (add_a_program, "V722"),
         (spoil_contents, "V722"),
@@ -217,16 +282,142 @@ def test_what_was_changed_is_refused_and_the_rest_taken(
     assert not (tmp_path / "evil.html").exists()
 
 
+@pytest.mark.parametrize(
+    ("change", "why"),
+    [
+        (change_mark, "`{0}/staff/result.json` was changed after it was signed"),
+        (change_page, "`{0}/student/report.html` was changed after it was signed"),
+        (swap_results, "`{0}/staff/result.json` was changed after it was signed"),
+        (drop_a_result, "`{0}/student/result.json` is missing in it"),
+        (drop_a_page, "`{0}/staff/report.html` is not what was signed"),
+    ],
+    ids=lambda value: getattr(value, "__name__", ""),
+)
+def test_a_result_changed_on_the_way_is_named_and_the_others_taken(
+    change: Callable[[dict[str, bytes]], None], why: str, sent: Sent, tmp_path: Path
+) -> None:
+    bad = changed(sent.results[0], tmp_path / "bad.zip", change)
+    merged = sent.merge(tmp_path / "out", bad, sent.results[1])
+    count = 2 if change is swap_results else 1
+    assert codes(merged.findings) == ["V725"] * count + ["V726"]
+    naming = read_key(sent.plan).shards[0].entries[0].naming
+    first = merged.findings[0]
+    said = why.format(naming.pseudonym)
+    assert first.headline == (
+        f"`bad.zip`, shard 1: the result of `{naming.identifier}` is not taken: {said}"
+    )
+    assert first.help == ("run shard 1 again on a machine that you trust, and merge again",)
+    assert len(merged.rows) == 5 - count
+    assert not Layout(tmp_path / "out").grader(naming.identifier).exists()
+    assert sent.merge(tmp_path / "out", sent.results[0]).missing == ()
+
+
+@pytest.mark.parametrize(
+    ("lie", "why"),
+    [
+        ({"mark": 10.0}, "its mark is 10, and its parts give 4.5"),
+        ({"mark": None}, "it says `graded`, and has no mark"),
+        ({"parts": None}, "it says `graded`, and has no parts"),
+        ({"losses": []}, "its mark is 4.5 of 10, and its causes cost 0"),
+        ({"checks": []}, "its mark is 4.5, and its checks earned 0"),
+        ({"lowest": 7.5}, "its mark is 4.5, and cannot be lower than 7.5"),
+        ({"kind": "excused"}, "it says `excused`, and a program was sent"),
+        ({"kind": "fault"}, "it says `fault`, and has a mark"),
+        ({"total": 20.0}, "it is out of 20 points, and the task of 10"),
+        ({"key": "0" * 64}, "it was made with another vrts, or with other options"),
+        ({"id": "s" + "0" * 12}, "it is of another submission"),
+        ({"program": None}, "it does not tell of which program it is"),
+        ({"program": {"name": "x.v2", "sha256": "0" * 64, "size": 3}}, "it is of another program"),
+    ],
+    ids=str,
+)
+def test_a_signed_lie_is_found_where_home_can_tell(
+    lie: dict[str, object], why: str, sent: Sent, tmp_path: Path
+) -> None:
+    def tell(members: dict[str, bytes]) -> None:
+        name = f"{pseudonym(sent, 'smith-ben')}/staff/result.json"
+        members[name] = json.dumps(json.loads(members[name]) | lie).encode()
+
+    bad = lied(sent, tmp_path / "bad.zip", tell)
+    merged = sent.merge(tmp_path / "out", bad, sent.results[1])
+    assert codes(merged.findings) == ["V725", "V726"]
+    assert merged.findings[0].headline == (
+        f"`bad.zip`, shard 1: the result of `smith-ben` is not taken: {why}"
+    )
+    assert merged.missing == ("smith-ben",)
+
+
+def test_rows_that_are_missing_or_strange_are_named(sent: Sent, tmp_path: Path) -> None:
+    def without(members: dict[str, bytes]) -> None:
+        for name in [n for n in members if n.startswith(pseudonym(sent, "smith-ben"))]:
+            members[name.replace(pseudonym(sent, "smith-ben"), "s" + "0" * 12)] = members.pop(name)
+
+    merged = sent.merge(tmp_path / "out", lied(sent, tmp_path / "bad.zip", without))
+    assert [d.headline for d in merged.findings[:2]] == [
+        "`bad.zip`, shard 1: `s000000000000` is not of this shard",
+        "`bad.zip`, shard 1: there is no result of `smith-ben` in it",
+    ]
+    assert [row.naming.identifier for row in merged.rows] == [CLASS[0].identifier]
+
+
+def test_every_shard_has_a_secret_of_its_own_and_none_has_the_plans(sent: Sent) -> None:
+    key = (sent.plan / "key.json").read_text()
+    secrets = [json.loads(path.read_text())["secret"] for path in sent.shards]
+    assert len({*secrets, json.loads(key)["secret"]}) == 3
+    assert [secret in key for secret in secrets] == [False, False]
+    for path in sent.results:
+        with zipfile.ZipFile(path) as archive:
+            held = b"".join(archive.read(name) for name in archive.namelist()).decode("latin-1")
+        assert not any(secret in held for secret in secrets)
+
+
+def test_a_plan_of_before_needs_a_word(sent: Sent, tmp_path: Path) -> None:
+    """Its key, shards and results have no secret and no signature."""
+    old = json.loads((sent.plan / "key.json").read_text()) | {"schema": "vrts.plan/1"}
+    del old["secret"], old["staff"]["total"], old["student"]["total"]
+    shard = json.loads(sent.shards[0].read_text()) | {"schema": "vrts.shard/1"}
+    del shard["secret"]
+    data = json.dumps(shard).encode()
+    old["shards"][0]["sha256"] = digest_of(data)
+    (tmp_path / "key.json").write_text(json.dumps(old))
+    results = tmp_path / "old.zip"
+    results.write_bytes(run_shard(read_shard(data), data, tmp_path / "work"))
+    with zipfile.ZipFile(results) as archive:
+        assert "signature.txt" not in archive.namelist()
+    key, out = read_key(tmp_path), Layout(tmp_path / "out")
+    with pytest.raises(Refused) as refused:
+        merge(key, [results], out)
+    assert codes(refused.value.diagnostics) == ["V731"]
+    assert any("--unsigned" in words for words in refused.value.diagnostics[0].help)
+    assert not (tmp_path / "out").exists()
+    merged = merge(key, [results], out, unsigned=True)
+    assert (len(merged.rows), codes(merged.findings)) == (2, ["V726"])
+
+    def tell(members: dict[str, bytes]) -> None:
+        name = f"{pseudonym(sent, 'smith-ben')}/staff/result.json"
+        members[name] = json.dumps(json.loads(members[name]) | {"mark": 10.0}).encode()
+
+    bad = merge(key, [changed(results, tmp_path / "bad.zip", tell)], out, unsigned=True)
+    assert "its mark is 10, and its parts give 4.5" in bad.findings[0].headline
+    (tmp_path / "key.json").write_text(json.dumps(old | {"schema": "vrts.plan/2"}))
+    with pytest.raises(Refused):
+        read_key(tmp_path)
+
+
 def test_damage_is_refused(sent: Sent, tmp_path: Path) -> None:
     whole = sent.results[0].read_bytes()
     with zipfile.ZipFile(sent.results[0]) as archive:
         page = next(i for i in archive.infolist() if i.filename.endswith("staff/report.html"))
     flipped = bytearray(whole)
     flipped[page.header_offset + 200] ^= 0xFF
-    for data in (b"", b"PK\x03\x04 and nothing", whole[: len(whole) // 2], bytes(flipped)):
-        path = tmp_path / "bad.zip"
+    path = tmp_path / "bad.zip"
+    for data in (b"", b"PK\x03\x04 and nothing", whole[: len(whole) // 2]):
         path.write_bytes(data)
         assert codes(sent.merge(tmp_path / "out", path).findings)[0] == "V722"
+    path.write_bytes(bytes(flipped))
+    (first, _) = sent.merge(tmp_path / "out", path).findings
+    assert first.rule.code == "V725"
+    assert first.headline.endswith("staff/report.html` is damaged")
 
 
 def test_results_of_another_plan_are_foreign(sent: Sent, tmp_path: Path) -> None:
@@ -248,7 +439,13 @@ def test_what_is_no_shard_is_refused(sent: Sent) -> None:
     shard = json.loads(good)
     twice = shard | {"pieces": [shard["pieces"][0]] * 2}
     evil = shard | {"pieces": [shard["pieces"][0] | {"pseudonym": "../../evil"}]}
-    for changed_shard in (twice, evil, shard | {"schema": "vrts.shard/2"}, shard | {"more": 1}):
+    for changed_shard in (
+        twice,
+        evil,
+        shard | {"schema": "vrts.shard/9"},
+        shard | {"schema": "vrts.shard/1"},
+        shard | {"more": 1},
+    ):
         assert refusal(json.dumps(changed_shard).encode()) == "V720"
     assert refusal(b"[]") == "V720"
     assert refusal(good[: len(good) // 2]) == "V720"
@@ -292,6 +489,6 @@ def test_the_same_shard_gives_the_same_results(sent: Sent, tmp_path: Path) -> No
         zipfile.ZipFile(sent.results[1]) as other,
     ):
         assert one.namelist() == other.namelist()
-        same = [n for n in one.namelist() if n != "marked.json" and one.read(n) == other.read(n)]
-        assert len(same) == len(one.namelist()) - 1
+        unlike = [n for n in one.namelist() if one.read(n) != other.read(n)]
+        assert unlike == ["marked.json", "signature.txt"], "they tell how long it took"
         assert json.loads(one.read("marked.json"))["shard"] == digest_of(data)
