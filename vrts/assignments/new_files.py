@@ -4,6 +4,8 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
+from vrts.assignments.handed.readme import written
+from vrts.assignments.handed.task_words import task_words
 from vrts.assignments.new_sections import new_sections
 from vrts.base.pose import Pose, Vector
 from vrts.base.units import mm
@@ -127,15 +129,10 @@ STAFF_TASK = """\
 README = """\
 # {title}
 
-Write a VAL-II program that does this:
-
-{goals}
-
-Begin with `start.v2`. Save your program as `mine.v2` and mark it with
+Write a VAL-II program that does what stands below. Begin with `start.v2`. Save your program as
+`mine.v2` and mark it with
 
     vrts grade {name}-student.zip mine.v2
-
-You get the time bonus if your program takes no longer than {par} s and touches nothing.
 """
 
 
@@ -196,25 +193,9 @@ def above_middle(scene: Scene) -> Vector:
 
 
 def new_readme(name: str, task: Task) -> str:
-    """Return the page for students: what the public part of a task asks for."""
-    wishes = [
-        f"{goal.title}, within {mm(goal.position_tolerance):g} mm and at rest"
-        for goal in task.goals
-    ]
-    wishes += [relation.title for relation in task.relations]
-    for via in task.vias:
-        x, y, z = (round(mm(value)) for value in via.point)
-        place = f"within {mm(via.radius):g} mm of X {x}, Y {y}, Z {z}"
-        wishes.append(f"pass {via.name}: {place}")
-    total = float(task.mark.total)
-    wishes += [
-        f"keep to this: {cost.name} ({float(cost.points):g} of {total:g} points)"
-        for cost in task.costs
-    ]
-    lines = "\n".join(f"- {one_line(wish)}" for wish in wishes)
-    return README.format(
-        title=one_line(task.title), name=name, goals=lines, par=f"{task.t_par:.1f}"
-    )
+    """Return the page for students: how to begin, and what the public part of a task asks for."""
+    page = README.format(title=one_line(task.title), name=name)
+    return written(page, task_words(task))
 
 
 def quoted(text: str) -> str:

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from pathlib import Path, PurePosixPath
 from typing import NamedTuple
 
+from vrts.assignments.handed.readme import NAME as README
 from vrts.base.safe_names import safe
 from vrts.check.task.task import Task
 from vrts.check.task.task_places import lab_name, scene_name
@@ -27,7 +28,7 @@ from vrts.pipeline.files import (
 from vrts.pipeline.refused import Refused
 from vrts.pipeline.settings import load_task
 
-PUBLIC = (TASK_FILE, SCENARIO_FILE, "README.md", "start.v2")  # names in the folder itself
+PUBLIC = (TASK_FILE, SCENARIO_FILE, README, "start.v2")  # names in the folder itself
 PUBLIC_FOLDERS = ("pictures", "handout")
 SOLUTION = "solution.v2"  # the reference, in `staff`, or beside the task where it is no secret
 LARGEST = 4_000_000  # bytes of a file

@@ -6,17 +6,28 @@ from typing import TYPE_CHECKING
 
 import click
 
-from vrts.cli.shared.console import HOLDS, WRONG, fail, guarded, out, show_diagnostics, write_file
+from vrts.cli.shared.console import (
+    HOLDS,
+    WRONG,
+    fail,
+    guarded,
+    out,
+    say,
+    show_diagnostics,
+    write_file,
+)
 from vrts.cli.shared.options import color_option, file_option, lab_option
 
 if TYPE_CHECKING:
     from vrts.assignments.task_check import TaskCheck
+    from vrts.base.diagnostic import Diagnostic
     from vrts.pipeline.setting import Setting
 
 EPILOG = """\b
 Examples:
   vrts task check lab1
   vrts task check lab1 --lab lab.toml
+  vrts task check lab1 --write
   vrts task pack lab1 -o handout
 """
 
@@ -35,20 +46,26 @@ def command() -> None:
     help="The reference solution; without it staff/solution.v2 or solution.v2 in FOLDER.",
 )
 @lab_option
+@click.option("--write", is_flag=True, help="Write the part of README.md that follows the task.")
 @color_option
 @guarded
-def check(folder: Path, reference: Path | None, lab: Path | None, color: str) -> None:
+def check(folder: Path, reference: Path | None, lab: Path | None, write: bool, color: str) -> None:
     """Say whether the task in FOLDER, with its hidden part, is ready to be handed out.
 
     The reference must get the full mark, a program that does nothing must get 0, and every goal
-    must be within reach. It proposes times, and lists what everything is worth. With a lab, it says
-    whether the task would work there. Exit status 1 when something is wrong.
+    must be within reach. It proposes times, and lists what everything is worth. It warns where
+    README.md does not say what the task says. With a lab, it says whether the task would work
+    there. Exit status 1 when something is wrong.
     """
     from vrts.assignments.task_check import check_task
     from vrts.assignments.task_folder import reference_of
 
     setting = _setting(folder, lab)
+    if write:
+        _write_readme(_folder(folder))
     found = check_task(setting, reference or reference_of(_folder(folder)))
+    told = _told(_folder(folder))
+    found = found._replace(findings=(*found.findings, *told))
     show_diagnostics(found.findings, color)
     out(_text(setting, found))
     sys.exit(HOLDS if found.ready else WRONG)
@@ -70,11 +87,15 @@ def pack(folder: Path, target: Path, versions: tuple[str, ...], color: str) -> N
     """Write NAME-student.zip, without the folder `staff`, and NAME-staff.zip with everything.
 
     Students get task.toml, scenario.toml, README.md, start.v2, the scene, and the folders pictures
-    and handout: nothing else. The task must pass `vrts task check`.
+    and handout: nothing else. In README.md the part that follows the task is written again. The
+    task must pass `vrts task check`.
     """
+    from vrts.assignments.handed.of_folder import readme_to_hand_out
+    from vrts.assignments.handed.readme import DIFFERS, NAME
     from vrts.assignments.pack import staff_zip, student_zip
     from vrts.assignments.task_check import check_task
     from vrts.assignments.task_folder import read_folder, reference_of
+    from vrts.pipeline.settings import load_task
 
     setting = _setting(folder)
     found = check_task(setting, reference_of(_folder(folder)))
@@ -82,6 +103,9 @@ def pack(folder: Path, target: Path, versions: tuple[str, ...], color: str) -> N
         show_diagnostics(found.findings, color)
         fail("nothing is packed: the task does not pass `vrts task check`", status=WRONG)
     files = read_folder(_folder(folder))
+    files.public[NAME] = readme_to_hand_out(_folder(folder), load_task(folder))
+    told = _told(_folder(folder))
+    show_diagnostics([d for d in told if d.rule is not DIFFERS], color)  # the rest is mended here
     student = student_zip(files, setting.hidden, versions)
     staff = staff_zip(files, setting.hidden, versions)
     target.mkdir(parents=True, exist_ok=True)
@@ -107,6 +131,28 @@ def _setting(folder: Path, lab: Path | None = None) -> "Setting":
     if folder.is_dir() and not (folder / TASK_FILE).is_file():
         fail(f"there is no `{TASK_FILE}` in `{folder}`", (f"begin with `vrts new task {folder}`",))
     return load_task(folder, staff=True, lab=lab)
+
+
+def _told(folder: Path) -> "tuple[Diagnostic, ...]":
+    """Return where the words for students are not those of the task in a folder."""
+    from vrts.assignments.handed.of_folder import handed_findings
+    from vrts.pipeline.settings import load_task
+
+    return handed_findings(folder, load_task(folder))
+
+
+def _write_readme(folder: Path) -> None:
+    """Write the part of README.md that follows the task, where it is not as it should be."""
+    from vrts.assignments.handed.of_folder import readme_to_hand_out
+    from vrts.assignments.handed.readme import NAME
+    from vrts.pipeline.settings import load_task
+
+    path = folder / NAME
+    data = readme_to_hand_out(folder, load_task(folder))
+    if path.is_file() and path.read_bytes() == data:
+        return
+    write_file(path, data)
+    say(f"wrote {path}")
 
 
 def _text(setting: "Setting", found: "TaskCheck") -> str:

@@ -85,8 +85,8 @@ def test_everything_that_new_files_have_as_comments_passes_too(
             continue
         path.write_text(UNCOMMENTED.sub(r"\1", text))
         assert path.read_text() != text
-    result = vrts("task", "check", "lab", cwd=tmp_path)
-    assert (result.returncode, result.stderr) == (0, "")
+    result = vrts("task", "check", "lab", "--write", cwd=tmp_path)  # README.md follows
+    assert (result.returncode, result.stderr) == (0, f"wrote {Path('lab', 'README.md')}\n")
     for word in ("over the middle", "beside the table", "can1 upright", "tool speed", "MOVES"):
         assert word in result.stdout, result.stdout
     assert "  hidden checks   1\n" in result.stdout
@@ -101,7 +101,7 @@ def test_a_task_from_an_example_is_that_of_the_example(tmp_path: Path) -> None:
     assert result.stdout.startswith('Round "it": ready to be handed out\n  reference      10.0')
     readme = (tmp_path / "lab" / "README.md").read_text()
     assert readme.startswith('# Round "it"\n')
-    assert "- pass " in readme
+    assert "passed by the point between the pads within 10 mm" in readme
     assert (tmp_path / "lab" / "scene.toml").is_file()
 
 

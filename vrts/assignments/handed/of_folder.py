@@ -1,0 +1,91 @@
+"""The README.md of a task's folder: as it is handed out, and what is to be said about it."""
+
+from pathlib import Path
+
+from vrts.assignments.handed.prose import contradictions
+from vrts.assignments.handed.readme import NAME, differences, marker_findings, part_of, written
+from vrts.assignments.handed.task_words import task_words
+from vrts.base.diagnostic import Diagnostic
+from vrts.base.source import SourceFile
+from vrts.base.toml.reading import read_toml
+from vrts.pipeline.files import CannotRead, member_bytes, shown
+from vrts.pipeline.refused import Refused
+from vrts.pipeline.setting import Setting
+from vrts.report.plain import one_line
+
+LARGEST = 1_000_000  # bytes
+
+
+def readme_to_hand_out(folder: Path, public: Setting) -> bytes:
+    """Return the README of a task with its part written again; a new one where there is none.
+
+    Args:
+        folder: Of the task.
+        public: The task without its hidden part.
+
+    Raises:
+        CannotRead: It is no text, or too large.
+        Refused: The markers of its part are not sound.
+    """
+    task = public.task
+    assert task is not None
+    text = _text(folder / NAME)
+    if text is None:
+        said = f"\n{task.description}\n" if task.description else ""
+        text = f"# {one_line(task.title)}\n{said}"
+    wrong = marker_findings(SourceFile(shown(folder / NAME), text.replace("\r\n", "\n")))
+    if wrong:
+        raise Refused(wrong)
+    return written(text, task_words(task)).encode()
+
+
+def handed_findings(folder: Path, public: Setting) -> tuple[Diagnostic, ...]:
+    """Return where the words that students get do not say what the task says.
+
+    Args:
+        folder: Of the task.
+        public: The task without its hidden part.
+
+    Raises:
+        CannotRead: The README is no text, or too large.
+    """
+    task = public.task
+    assert task is not None
+    words = task_words(task)
+    found = list(_of_description(public, words))
+    text = _text(folder / NAME)
+    if text is None:
+        return tuple(found)
+    source = SourceFile(shown(folder / NAME), text.replace("\r\n", "\n"))
+    wrong = marker_findings(source)
+    if wrong:
+        return (*found, *wrong)
+    part = part_of(source.text)
+    without = None if part is None else (part.start, part.end)
+    return (*found, *differences(source, words, folder), *contradictions(source, words, without))
+
+
+def _of_description(public: Setting, words: str) -> tuple[Diagnostic, ...]:
+    source = public.sources.task
+    top = None if source is None else read_toml(source)[0]
+    section = None if top is None else top.table("task")
+    if source is None or section is None or "description" not in section:
+        return ()
+    span = section.value_span("description")
+    blank = "".join("\n" if c == "\n" else " " for c in source.text[: span.start])
+    inside = SourceFile(source.name, blank + source.text[span.start : span.end])
+    return tuple(contradictions(inside, words, within="the `description`"))
+
+
+def _text(path: Path) -> str | None:
+    """Return the text of a file; None where it is not there."""
+    if not path.is_file():
+        return None
+    data = member_bytes(path)
+    if len(data) > LARGEST:
+        raise CannotRead(f"`{shown(path)}` is too large: more than {LARGEST:,} bytes")
+    try:
+        return data.decode()
+    except UnicodeDecodeError as problem:
+        hint = ("save it as UTF-8",)
+        raise CannotRead(f"`{shown(path)}` is not UTF-8 text", hint) from problem
