@@ -53,7 +53,8 @@ def command(
     """List who handed in which program in PLACE, and what is wrong.
 
     PLACE is a folder or a zip: a download of Moodle, Canvas or Gradescope, a folder for each
-    student, or files side by side. Exit status 1 when a row has a problem.
+    student, or files side by side. Rows with a problem are shown first. Exit status 1 when there
+    is one.
 
     It writes the table intake.csv into the folder or beside the zip; -o names another place. You
     may edit the table, and `vrts grade` obeys it: give another file, another id, the student's own
@@ -105,11 +106,11 @@ def _task(path: Path | None) -> "Task | None":
 
 
 def _text(intake: "Intake") -> str:
-    """Return the rows for the terminal."""
+    """Return the rows for the terminal: those with a problem first, else in their order."""
     from vrts.report.plain import one_line, width
 
     lines = [("id", "file", "why, or what is wrong")]
-    for row in intake.rows:
+    for row in sorted(intake.rows, key=lambda row: row.problem is None):
         found = row.problem
         words = row.why if found is None else f"{found.kind.value}: {found.sentence}"
         lines.append((one_line(row.identifier), one_line(row.title or "-"), one_line(words)))
@@ -121,5 +122,6 @@ def _text(intake: "Intake") -> str:
     ]
     bad = sum(row.problem is not None for row in intake.rows)
     one = "1 hand-in" if len(intake.rows) == 1 else f"{len(intake.rows)} hand-ins"
-    shown += ["", f"{intake.layout}: {one}, {bad or 'none'} with a problem"]
+    first = ", shown first" if 0 < bad < len(intake.rows) else ""
+    shown += ["", f"{intake.layout}: {one}, {bad or 'none'} with a problem{first}"]
     return "\n".join(shown)

@@ -51,6 +51,9 @@ def test_problems_are_an_exit_status_and_names_steer_no_terminal(tmp_path: Path)
     assert result.exit_code == 1
     assert "not plain text: `pick.docx` is a Word document" in result.stdout
     assert "\x1b" not in result.stdout + result.stderr
+    shown = [line.split()[0] for line in result.stdout.splitlines() if line]
+    assert shown == ["id", "Ben-31m-2", "Anna-Berger-1", "Moodle:"], "what is wrong comes first"
+    assert result.stdout.endswith("2 hand-ins, 1 with a problem, shown first\n")
     assert (tmp_path / "d" / "intake.csv").is_file()
 
 
