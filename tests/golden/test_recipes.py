@@ -6,7 +6,8 @@ from tests.golden.recipes import followed, recipes, text_of
 
 MARKING = {  # a process for each program: long
     *("answer-an-appeal", "change-a-mark", "find-copied-programs", "mark-a-class"),
-    *("mark-without-names", "marks-into-moodle", "see-who-moves-after-a-repair"),
+    *("mark-on-other-machines", "mark-without-names", "marks-into-moodle"),
+    "see-who-moves-after-a-repair",
     *("bring-it-to-the-robot", "find-what-is-wrong-with-the-robot"),
 }
 LEAST = 90

@@ -1,17 +1,39 @@
-"""From a download to the plan of marking it on other machines."""
+"""From a download to the plan of marking it on other machines, and back to the list of marks."""
 
 from collections.abc import Sequence
+from hashlib import sha256
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import NamedTuple
 
-from vrts.base.diagnostic import Diagnostic
-from vrts.marking.class_marks import entries
+from msgspec import structs
+
+from vrts.base.diagnostic import Diagnostic, Rule, error
+from vrts.marking.by_hand.override_text import load_overrides
+from vrts.marking.by_hand.overrides import with_change
+from vrts.marking.class_marks import class_row, entries
+from vrts.marking.intake.tables.intake_table import write_rows
 from vrts.marking.intake.tree.opening import open_place
-from vrts.marking.marking import mark_class
-from vrts.marking.remote.plan import Plan, make_plan
+from vrts.marking.layout import RESULT, Layout, write_atomically
+from vrts.marking.marking import Done, mark_class
+from vrts.marking.remote.at_home import AtHome
+from vrts.marking.remote.plan import Key, Plan, make_plan
+from vrts.marking.result import from_bytes
+from vrts.marking.row import Class
 from vrts.marking.submission.marker import Marker
-from vrts.marking.whole_class import HowTo, table_for, take_in_class
+from vrts.marking.submission.setting import Place
+from vrts.marking.whole_class import (
+    HowTo,
+    Marked,
+    name_of,
+    table_for,
+    take_in_class,
+    was_edited,
+)
+from vrts.pipeline.refused import Refused
+
+OTHER_TASK = Rule("V732", "task-changed-after-the-plan")
+OTHER_TABLE = Rule("V733", "table-edited-after-the-plan")
 
 
 class PlannedClass(NamedTuple):
@@ -50,5 +72,98 @@ def plan_class(
             lambda asked: mark_class(marker, asked, None, jobs=how.jobs, staging=Path(staging)),
             how,
         )
-        plan = make_plan(marker, tuple(entries(tree, taken.rows)), shards)
-    return PlannedClass(plan, (*table.remarks, *taken.remarks), taken.warnings)
+        found = tuple(entries(tree, taken.rows))
+        plan = make_plan(marker, found, shards)
+    remarks = (*table.remarks, *taken.remarks)
+    home = AtHome(
+        _absolute(marker.place),
+        (str(submissions),) if isinstance(submissions, Path) else tuple(map(str, submissions)),
+        marker.wanted,
+        taken.rows,
+        found,
+        remarks,
+        write_rows(taken.rows, download=name_of(submissions)),
+        table.path is not None,
+    )
+    plan = plan._replace(key=structs.replace(plan.key, home=home))
+    return PlannedClass(plan, remarks, taken.warnings)
+
+
+def planned_marker(key: Key, home: AtHome) -> Marker:
+    """Return what marks by the task of a plan, where it is now.
+
+    Raises:
+        CannotRead: The task is not there any more.
+        Refused: It has errors, or is another than it was.
+    """
+    marker = Marker(home.place, home.wanted)
+    assert marker.whole.task is not None
+    now = marker.whole.task.digest, marker.whole.scene.digest
+    if now == (key.staff.task.sha256, key.staff.scene.sha256):
+        return marker
+    headline = f"the task `{home.place.task}` was changed after the plan"
+    note = "results are merged; lists of marks are not written, since they would mix two tasks"
+    remedies = ("put the task back as it was and merge again, or plan again",)
+    raise Refused((error(OTHER_TASK, headline, notes=(note,), help=remedies),))
+
+
+def merged_class(marker: Marker, home: AtHome, layout: Layout) -> Marked:
+    """Return a class whose results were all merged, as marking it here would; write its intake.
+
+    Args:
+        marker: Of the task.
+        home: What stayed at home.
+        layout: Where the results are.
+
+    Raises:
+        Refused: The changes by hand have errors, or the table of the intake was edited since.
+    """
+    task = marker.whole.task
+    assert task is not None
+    other = layout.intake.is_file() and layout.intake.read_bytes() != home.intake
+    if other and was_edited(layout, layout.intake):
+        raise _edited_since(layout, home)
+    names = [row.identifier for row in home.found]
+    changes = load_overrides(layout.overrides, names, task.mark.total)
+    done = tuple(
+        Done(
+            entry,
+            from_bytes((layout.grader(entry.identifier) / RESULT).read_bytes()),
+            from_bytes((layout.student(entry.identifier) / RESULT).read_bytes()),
+            True,
+            0.0,
+            0,
+        )
+        for entry in home.entries
+    )
+    rows = tuple(
+        with_change(class_row(found, one.result, task.late), changes)
+        for found, one in zip(home.found, done, strict=True)
+    )
+    write_atomically(layout.intake, home.intake)
+    return Marked(
+        Class("vrts.class/1", task.title, rows),
+        done,
+        home.remarks,
+        changes.diagnostics,
+        "" if home.edited else sha256(home.intake).hexdigest(),
+        {row.identifier: row.group for row in home.found},
+    )
+
+
+def _absolute(place: Place) -> Place:
+    """Return where a task is, from wherever it is asked for; a scene may be a mere name."""
+    return structs.replace(
+        place,
+        task=str(Path(place.task).absolute()),
+        scenario=None if place.scenario is None else str(Path(place.scenario).absolute()),
+        lab=None if place.lab is None else str(Path(place.lab).absolute()),
+    )
+
+
+def _edited_since(layout: Layout, home: AtHome) -> Refused:
+    headline = f"`{layout.intake}` was edited after the plan"
+    note = "results are merged; lists of marks are not written, since the plan does not know it"
+    what = " ".join(home.submissions)
+    remedy = f"obey it with `vrts grade {home.place.task} {what} -o {layout.root}`"
+    return Refused((error(OTHER_TABLE, headline, notes=(note,), help=(remedy,)),))

@@ -120,7 +120,7 @@ def mark_whole_class(
             key = key_for(layout)
             tree, found = pseudonymised(tree, named, key)
         if not found:
-            what = f"`{_name(submissions)}` holds" if _name(submissions) else "the files hold"
+            what = f"`{name_of(submissions)}` holds" if name_of(submissions) else "the files hold"
             raise CannotRead(f"nothing was handed in: {what} no program", remarks)
         names = [row.identifier for row in found]
         changes = (
@@ -136,7 +136,7 @@ def mark_whole_class(
             rows[name] = with_change(class_row(by_name[name], one.result, task.late), changes)
             told(one, rows[name])
     if key is None:
-        written = write_rows(found, download=_name(submissions))
+        written = write_rows(found, download=name_of(submissions))
     else:
         written = names_table(named, key)
     if layout is not None and key is not None:
@@ -201,17 +201,17 @@ def table_for(
     found = own_table(submissions, tree)
     if found.path is None and layout is not None:
         own = layout.staff / NAMES if how.pseudonyms else layout.intake
-        if own.is_file() and _edited(layout, own):
+        if own.is_file() and was_edited(layout, own):
             return found._replace(path=own)
     return found
 
 
-def _name(submissions: Path | Sequence[Path]) -> str:
+def name_of(submissions: Path | Sequence[Path]) -> str:
     """Return the name of a download; files named one by one have none."""
     return submissions.absolute().name if isinstance(submissions, Path) else ""
 
 
-def _edited(layout: Layout, table: Path) -> bool:
+def was_edited(layout: Layout, table: Path) -> bool:
     """Return whether somebody changed the table that an earlier marking wrote."""
     try:
         before = about_from_bytes((layout.staff / ABOUT).read_bytes()).intake_sha256

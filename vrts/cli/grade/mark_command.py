@@ -211,7 +211,7 @@ def command(
         for remark in marked.remarks:
             say(f"note: {remark}")
         if layout is not None:
-            _write(marker, marked, layout, about)
+            write_lists(marker, marked, layout, about)
     if layout is not None and formats:
         _export(formats, marked, layout, fill, color)
     if form == "json":
@@ -313,7 +313,8 @@ def _about(marker: "Marker", submissions: "Sequence[str]", *, pseudonyms: bool) 
     return nameless_about(about) if pseudonyms else about
 
 
-def _write(marker: "Marker", marked: "Marked", layout: "Layout", about: "About") -> None:
+def write_lists(marker: "Marker", marked: "Marked", layout: "Layout", about: "About") -> None:
+    """Write what there is about a class as a whole, and what students get."""
     import msgspec
 
     from vrts.marking.class_files import write_class, write_overview

@@ -1,5 +1,6 @@
 """`vrts grade merge`."""
 
+import os
 import sys
 from collections.abc import Iterable, Iterator
 from datetime import UTC, datetime
@@ -8,12 +9,15 @@ from typing import TYPE_CHECKING
 
 import click
 
+from vrts.cli.grade.mark_command import write_lists
 from vrts.cli.grade.what_to_mark import require_folder
-from vrts.cli.shared.console import HOLDS, WRONG, fail, guarded, out, say, show_diagnostics
+from vrts.cli.shared.console import FAULT, HOLDS, WRONG, fail, guarded, out, say, show_diagnostics
 from vrts.cli.shared.options import color_option, file_option
 
 if TYPE_CHECKING:
     from vrts.marking.about import About
+    from vrts.marking.layout import Layout
+    from vrts.marking.remote.at_home import AtHome
     from vrts.marking.remote.plan import Key
 
 EPILOG = """\b
@@ -22,8 +26,7 @@ Examples:
   vrts grade merge plan shard-01.zip shard-02.zip -o out
 
 \b
-Then mark the class into the same folder, to write the lists of marks and the overview. What was
-merged is not marked again; what is missing is marked here:
+What no other machine has marked can be marked here; what was merged is not marked again:
   vrts grade lab1-staff.zip download.zip -o out
 """
 
@@ -54,7 +57,8 @@ def command(
     or folders of them. Every shard signs its results: what was changed on the way is refused, and
     so is a result whose parts do not give its mark, or that is not about the program that was sent.
     Each is named, with the shard to run again; the others are taken. You can call it again with
-    more results. Exit status 1 when results are refused or missing.
+    more results. When every submission has one, it writes the lists of marks, the overview and the
+    pages, as `vrts grade` does. Exit status 1 when results are refused or missing.
 
     A signature shows that results come from who had the shard, not that this machine told the
     truth: mark on machines that you trust.
@@ -69,15 +73,37 @@ def command(
     require_folder(folder)
     require_names(Layout(folder))
     key = read_key(plan)
+    about = _about(key)
     if not (Layout(folder).staff / NAME).exists():
-        begin_class(_about(key), Layout(folder))
+        begin_class(about, Layout(folder))
     merged = merge(key, list(_zips(results)), Layout(folder), unsigned=unsigned)
     show_diagnostics(merged.findings, color)
     if key.secret is None:
         say("note: the plan is of an earlier vrts: nothing shows whether its results were changed")
     total = sum(len(sent.entries) for sent in key.shards) + len(key.others)
     out(f"{folder}: {total - len(merged.missing)} of {total} submissions have results")
-    sys.exit(WRONG if merged.findings else HOLDS)
+    fault = False
+    if merged.missing:
+        say("note: lists of marks are written when every submission has a result")
+    elif key.home is None:
+        say("note: mark the class into the same folder to write the lists of marks")
+    else:
+        fault = _lists(key, key.home, about, Layout(folder), color)
+    sys.exit(FAULT if fault else WRONG if merged.findings else HOLDS)
+
+
+def _lists(key: "Key", home: "AtHome", about: "About", layout: "Layout", color: str) -> bool:
+    """Write what `vrts grade` writes of a class; return whether vrts failed on one of it."""
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before numpy: threads do not fork
+    from vrts.marking.class_plan import merged_class, planned_marker
+
+    marker = planned_marker(key, home)
+    marked = merged_class(marker, home, layout)
+    show_diagnostics((*marker.whole.stamps, *marked.warnings), color)
+    for remark in marked.remarks:
+        say(f"note: {remark}")
+    write_lists(marker, marked, layout, about)
+    return any(done.result.is_fault for done in marked.done)
 
 
 def _about(key: "Key") -> "About":
@@ -87,19 +113,17 @@ def _about(key: "Key") -> "About":
     from vrts.marking.submission.one import Wanted
     from vrts.marking.submission.setting import Place
 
-    task = key.staff.task
-    command = tuple(sys.argv)
-    begun = datetime.now(UTC)
+    task, home = key.staff.task, key.home
     return About(
         "vrts.marking/1",
         task.title,
-        Place(task.name),
-        (),
-        Wanted(),
+        Place(task.name) if home is None else home.place,
+        () if home is None else home.submissions,
+        Wanted() if home is None else home.wanted,
         __version__,
-        command,
+        tuple(sys.argv),
         None,
-        begun=begun,
+        begun=datetime.now(UTC),
     )
 
 

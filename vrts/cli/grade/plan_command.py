@@ -39,7 +39,6 @@ as a SLURM array, on machines that share this folder:
       'vrts grade run plan/shards/shard-$(printf %02d $SLURM_ARRAY_TASK_ID).json -o results'
 and then on your own machine:
   vrts grade merge plan results -o out
-  vrts grade lab1-staff.zip download.zip -o out
 """
 
 
@@ -88,14 +87,14 @@ def command(
 ) -> None:
     """Divide a class into shards that other machines can mark.
 
-    TASK, SUBMISSIONS and options are those of `vrts grade`. At the end give them to `vrts grade`
-    again, with -o: it writes the lists of marks. (Its --pseudonyms is for marking on this machine
-    only.)
+    TASK, SUBMISSIONS and options are those of `vrts grade`; its --pseudonyms is for marking on this
+    machine only. At the end `vrts grade merge` writes all that `vrts grade` does.
 
     Every file in PLAN/shards has all that marking needs: the task with its hidden checks, and some
     programs under pseudonyms. It holds no name of a student or of a file, but it does hold what
-    students write in their programs. PLAN/key.json says whose results are whose: keep it on your
-    own machine.
+    students write in their programs, and a secret that signs its results. PLAN/key.json says whose
+    results are whose, and holds the programs and the secret of the plan: keep it on your own
+    machine, and delete it when the marks are final.
     """
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before numpy: threads do not fork
     from vrts.marking.class_plan import plan_class

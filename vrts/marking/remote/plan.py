@@ -12,6 +12,7 @@ import msgspec
 from vrts.base.diagnostic import Rule, error
 from vrts.marking.layout import Layout
 from vrts.marking.marking import Entry, without_program
+from vrts.marking.remote.at_home import AtHome
 from vrts.marking.remote.marked import written
 from vrts.marking.remote.names import Naming, named_anew
 from vrts.marking.remote.portable import portable
@@ -76,6 +77,7 @@ class Key(Record, frozen=True):
     shards: tuple[Sent, ...]
     others: tuple[Other, ...]
     secret: Secret | None = None  # from it come those of shards; None: of an earlier vrts
+    home: AtHome | None = None  # None: of an earlier vrts, or of some programs without a class
 
 
 class Plan(NamedTuple):

@@ -1,14 +1,19 @@
 """From a download by way of shards to the list of marks, from the command line."""
 
 import json
+import re
+import shutil
 from pathlib import Path
 
 import pytest
 from click.testing import CliRunner, Result
 
-from tests.unit.marking.remote.support import BAD, GOOD, TYPO, task
+from tests.unit.marking.remote.support import BAD, GOOD, TYPO, files, task
 from vrts.cli.grade.grade_command import command
 from vrts.marking.remote import dask_cluster
+
+INDEX = "staff/index.html"
+TIME = re.compile(rb"marked \d{4}-\d\d-\d\d \d\d:\d\d")
 
 
 @pytest.fixture
@@ -32,6 +37,19 @@ def good(*arguments: str) -> str:
     return found.output
 
 
+def same_class(here: Path, there: Path) -> dict[str, bytes]:
+    """Check that two folders of a marking differ in when it was, and return the second's files."""
+    found = files(there)
+    one, other = (
+        {name: TIME.sub(b"", data) for name, data in every.items() if name != "staff/marking.json"}
+        for every in (files(here), found)
+    )
+    assert other.keys() == one.keys()
+    assert [name for name in one if one[name] != other[name]] == []
+    assert {INDEX, "staff/marks.csv", "staff/similarity.html"} <= one.keys()
+    return found
+
+
 def test_plan_run_merge_and_lists(lab: Path) -> None:
     planned = good("plan", "lab", "hand-ins", "--shards", "2", "--no-pages")
     assert "plan/shards: 2 shards of 3 programs" in planned
@@ -43,9 +61,10 @@ def test_plan_run_merge_and_lists(lab: Path) -> None:
     assert "warning[V726 results-missing]: 2 of 3 submissions have no result yet" in partly.output
     good("run", shards[1], "-o", "results/other.zip", "--jobs", "2")
     assert "there already" in good("run", shards[1], "-o", "results/other.zip")
-    assert good("merge", "plan", "results", "-o", "out").endswith(
-        "4 of 4 submissions have results\n"
-    )
+    assert not (lab / "out" / "staff" / "results.json").exists()
+    assert "lists of marks are written when every submission has a result" in partly.output
+    merged = good("merge", "plan", "results", "-o", "out")
+    assert "4 of 4 submissions have results\nwrote out/staff/index.html\n" in merged
     assert sorted(path.name for path in (lab / "results").iterdir()) == [
         "other.zip",
         "shard-01.zip",
@@ -53,12 +72,56 @@ def test_plan_run_merge_and_lists(lab: Path) -> None:
 
     made = {path: path.stat().st_mtime_ns for path in (lab / "out").rglob("result.json")}
     assert len(made) == 8
+    good("lab", "hand-ins", "-o", "here", "--no-pages")
+    there = same_class(lab / "here", lab / "out")
+    here = files(lab / "here")
+    abouts = [json.loads(files_["staff/marking.json"]) for files_ in (here, there)]
+    for about in abouts:
+        del about["begun"], about["finished"], about["command"], about["place"]
+    assert abouts[0] == abouts[1]
+
     good("lab", "hand-ins", "-o", "out", "--no-pages")
     again = [path for path, when in made.items() if path.stat().st_mtime_ns != when]
     assert {path.parent.name for path in again} <= {"photo"}
     rows = json.loads((lab / "out" / "staff" / "results.json").read_text())["rows"]
     marks = {row["student"]["name"] or row["id"]: row["result"]["mark"] for row in rows}
     assert sorted(marks.values()) == [0.0, 0.0, 4.5, 6.0]
+
+
+def test_a_merged_class_has_its_lateness_and_its_changes_by_hand(lab: Path) -> None:
+    """They come from what stayed at home: the download may be gone by then."""
+    with (lab / "lab" / "task.toml").open("a") as file:
+        file.write("\n[late]\ndue = 2026-03-01T12:00:00+01:00\nper_day = 1\n")
+    for name, day, data in (("anna", "01", GOOD), ("ben", "02", BAD)):
+        place = lab / "late" / name / f"2026-03-{day}-10-00-00"
+        place.mkdir(parents=True)
+        (place / "pick.v2").write_bytes(data)
+    good("lab", "late", "-o", "here", "--no-pages")
+    good(
+        "change", "ben", "--from", "here", "--delta", "0.3", "--reason", "he was ill", "--who", "me"
+    )
+    good("lab", "late", "-o", "here", "--no-pages")
+    good("plan", "lab", "late", "--shards", "1", "--no-pages")
+    good("run", "plan/shards/shard-01.json", "-o", "results")
+    shutil.rmtree("late")
+    (lab / "out" / "staff").mkdir(parents=True)
+    shutil.copy("here/staff/overrides.toml", "out/staff/overrides.toml")
+    good("merge", "plan", "results", "-o", "out")
+    there = same_class(lab / "here", lab / "out")
+    rows = json.loads(there["staff/results.json"])["rows"]
+    assert [bool(row["late"]) for row in rows] == [False, True]
+
+    table = Path("out/staff/intake.csv")
+    table.write_bytes(table.read_bytes().replace(b"anna,", b"anna-b,", 1))
+    edited = vrts("merge", "plan", "results", "-o", "out")
+    assert (edited.exit_code, "V733" in edited.output) == (1, True), edited.output
+    assert b"anna-b" in table.read_bytes()
+    task_file = lab / "lab" / "task.toml"
+    task_file.write_text(task_file.read_text().replace("per_day = 1", "per_day = 2"))
+    other = vrts("merge", "plan", "results", "-o", "new")
+    assert (other.exit_code, "V732" in other.output) == (1, True), other.output
+    assert (lab / "new" / "staff" / "students" / "anna" / "result.json").is_file()
+    assert not (lab / "new" / "staff" / "results.json").exists()
 
 
 def test_a_plan_is_not_lost_by_accident(lab: Path) -> None:
