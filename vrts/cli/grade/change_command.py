@@ -32,8 +32,13 @@ class Points(click.ParamType[Fraction]):
         self, value: object, param: click.Parameter | None, ctx: click.Context | None
     ) -> Fraction:
         """Return the number."""
+        from vrts.marking.exports.numbers import Doubtful, read_number
+
         try:
+            read_number(str(value))
             points = Fraction(str(value).replace(",", "."))
+        except Doubtful:
+            self.fail(f"`{value}` may be a thousand: write decimals with a point", param, ctx)
         except (ValueError, ZeroDivisionError):
             self.fail(f"`{value}` is no number of points", param, ctx)
         if abs(points) > LARGEST or (points * 1000).denominator != 1:

@@ -35,12 +35,15 @@ Formats:
 \b
 Examples:
   vrts grade export out --to csv --to junit
+  vrts grade export out --to csv --decimal comma
   vrts grade export out --to moodle --fill Grades-Robotics-Lab1.csv
   vrts grade export out --to canvas --fill gradebook.csv --column "Lab 1 (4711)"
   vrts grade export out --to moodle-feedback -o feedback.zip
 """
 
 MOST_POINTS = 10_000
+DECIMALS = {"comma": ",", "point": "."}
+WITH_DECIMALS = ("csv", "moodle", "canvas")  # formats that --decimal changes
 NAMES = (
     "csv",
     "json",
@@ -79,9 +82,12 @@ NAMES = (
 @click.option(
     "--delimiter",
     type=click.Choice([",", ";"]),
-    default=",",
-    show_default=True,
-    help="Separator of fields in `csv`; with `;` numbers have a decimal comma.",
+    help="Separator of fields in `csv`, usually `,`; with `;` numbers have a decimal comma.",
+)
+@click.option(
+    "--decimal",
+    type=click.Choice(sorted(DECIMALS)),
+    help="Decimal sign; with `comma` a `csv` has semicolons. Without it as FILE writes numbers.",
 )
 @file_option(
     "-o",
@@ -99,7 +105,8 @@ def command(
     points: str | None,
     no_comments: bool,
     no_pages: bool,
-    delimiter: str,
+    delimiter: str | None,
+    decimal: str | None,
     target: Path | None,
     color: str,
 ) -> None:
@@ -120,6 +127,8 @@ def command(
     from vrts.marking.exports.given import Options
     from vrts.pipeline.refused import Refused
 
+    if decimal is not None and not set(names) & set(WITH_DECIMALS):
+        fail("`--decimal` is for the formats csv, moodle and canvas: the others have their own way")
     written = read_written(folder)
     overrides = written.overrides()
     show_diagnostics(overrides.diagnostics, color)
@@ -130,10 +139,11 @@ def command(
         column,
         _full_marks(points),
         not no_comments,
-        delimiter,
+        delimiter or (";" if decimal == "comma" else ","),
         not no_pages,
         from_environment(os.environ),
         datetime.now(UTC),
+        DECIMALS.get(decimal or "", ""),
     )
     export(names, with_overrides(written.rows, overrides), written.layout, options, color, target)
 
@@ -171,11 +181,14 @@ def export(
 
 def _full_marks(text: str | None) -> Fraction | None:
     """Return what full marks are worth, exactly; a comma will do."""
-    from vrts.marking.exports.numbers import parsed
+    from vrts.marking.exports.numbers import Doubtful, read_number
 
     if text is None:
         return None
-    found = parsed(text)
+    try:
+        found = read_number(text)
+    except Doubtful:
+        fail(f"`{text}` may be a thousand or not", ("write decimals with a point, 1.234",))
     if found is None or not 0 < found <= MOST_POINTS:
         fail(f"`{text}` is no number of points", (f"write a number up to {MOST_POINTS:,}",))
     return found

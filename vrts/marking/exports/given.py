@@ -37,6 +37,7 @@ class Options(NamedTuple):
     pages: bool = True  # whether reports go along with the feedback
     environment: Mapping[str, str] = MappingProxyType({})  # of a platform's run, by variable
     now: datetime | None = None  # UTC
+    decimal: str = ""  # "," or "."; "" as a file that is filled in tells, and as `delimiter` tells
 
 
 class Product(NamedTuple):

@@ -40,17 +40,18 @@ COLUMNS = (
 
 def marks_table(given: Given, options: Options) -> Product:
     """Return the table as an export."""
-    return Product([(NAME, marks_csv(given.whole, options.delimiter))])
+    return Product([(NAME, marks_csv(given.whole, options.delimiter, options.decimal))])
 
 
-def marks_csv(whole: Class, delimiter: str = ",") -> bytes:
+def marks_csv(whole: Class, delimiter: str = ",", decimal_sign: str = "") -> bytes:
     """Return the table of a class: UTF-8 with its mark, RFC 4180, no field a formula.
 
     Args:
         whole: Its rows.
         delimiter: `,` with decimal points, or `;` with decimal commas.
+        decimal_sign: Another decimal sign than these.
     """
-    point = "," if delimiter == ";" else "."
+    point = decimal_sign or ("," if delimiter == ";" else ".")
     lines = [delimiter.join(COLUMNS)]
     for row in whole.rows:
         lines.append(delimiter.join(_fields(row, point, delimiter)))

@@ -30,6 +30,10 @@ def call(*words: object) -> Result:
         (("merge", "plan", "-o", "file"), "`file` is a file, and results want a folder"),
         (("empty", SOLUTION), "there is no `task.toml` in `empty`"),
         (("task",), "no submissions given"),
+        (
+            ("export", "out", "--to", "json", "--decimal", "comma"),
+            "`--decimal` is for the formats csv, moodle and canvas: the others have their own way",
+        ),
     ],
     ids=str,
 )

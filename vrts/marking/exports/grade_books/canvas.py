@@ -5,11 +5,12 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from vrts.marking.exports.given import Given, Options, Product
-from vrts.marking.exports.grade_books.filled import Column, Slot, decimal_point, fill, full_marks
+from vrts.marking.exports.grade_books.decimal_sign import full_marks, refuse_comma, sign_of
+from vrts.marking.exports.grade_books.filled import Column, Slot, fill
 from vrts.marking.exports.grade_books.matching import Line
 from vrts.marking.exports.grade_books.refusals import file_of, no_column, no_file, no_points
 from vrts.marking.exports.grade_books.sheet import Sheet, read_sheet
-from vrts.marking.exports.numbers import parsed
+from vrts.marking.exports.numbers import parsed, tells
 from vrts.marking.intake.row import Platform, plain_id
 
 NAME = "canvas-gradebook.csv"
@@ -53,11 +54,13 @@ def canvas(given: Given, options: Options) -> Product:
     at = _assignment(header, people, above, sheet, given, options)
     numbers = (sheet.field(row, at) for row in above)
     text = next((text for text in numbers if parsed(text) is not None), "")
-    full = full_marks(text, options)
+    texts = [sheet.field(row, at) for row in range(1, len(sheet.rows))]
+    sign = sign_of(texts, sheet.delimiter, options, WHAT)
+    refuse_comma(sign, any(tells(one) == "," for one in texts), options)
+    full = full_marks(text, sign, options)
     if full is None:
         raise no_points(f"the grade book does not tell what `{header[at]}` is worth")
-    texts = [sheet.field(row, at) for row in range(1, len(sheet.rows))]
-    column = Column(at, DECIMALS, 0, decimal_point(texts, sheet.delimiter))
+    column = Column(at, DECIMALS, 0, sign.writes)
     slots = [Slot(_line(sheet, people, row), full, _left(sheet.field(row, at))) for row in students]
     return fill(NAME, sheet, column, slots, given, options)
 

@@ -111,30 +111,6 @@ def fill(
     return Product([(name, sheet.with_texts(texts))], found)
 
 
-def full_marks(text: str, options: Options) -> Fraction | None:
-    """Return what full marks are worth: as asked for, else as the file tells; None: neither."""
-    if options.points is not None:
-        return options.points
-    found = parsed(text)
-    return found if found is not None and found > 0 else None
-
-
-def decimal_point(texts: Iterable[str], delimiter: str) -> str:
-    """Return the decimal point of a file's numbers; where none tells, by its delimiter."""
-    numbers = [text for text in texts if parsed(text) is not None]
-    if any("," in text for text in numbers):
-        return ","
-    if any("." in text for text in numbers):
-        return "."
-    return "," if delimiter == ";" else "."
-
-
-def decimals(texts: Iterable[str]) -> int:
-    """Return how many decimals the numbers of a file have."""
-    numbers = [text.strip() for text in texts if parsed(text) is not None]
-    return max((len(text.replace(",", ".").partition(".")[2]) for text in numbers), default=0)
-
-
 def _may_comment(sheet: Sheet, row: int, at: int | None) -> bool:
     """Return whether there is a place for a comment, and nothing in it but one of ours."""
     if at is None or at >= len(sheet.rows[row]):

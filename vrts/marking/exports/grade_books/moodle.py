@@ -9,14 +9,8 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from vrts.marking.exports.given import Given, Options, Product
-from vrts.marking.exports.grade_books.filled import (
-    Column,
-    Slot,
-    decimal_point,
-    decimals,
-    fill,
-    full_marks,
-)
+from vrts.marking.exports.grade_books.decimal_sign import Sign, decimals, full_marks, sign_of
+from vrts.marking.exports.grade_books.filled import Column, Slot, fill
 from vrts.marking.exports.grade_books.matching import Line
 from vrts.marking.exports.grade_books.moodle_titles import COMMENTS, FULL_NAME, GRADE, KNOWN, NO
 from vrts.marking.exports.grade_books.refusals import file_of, no_column, no_file, no_points
@@ -51,21 +45,20 @@ def moodle(given: Given, options: Options) -> Product:
     grade = _grade(header, options)
     rows = [row for row, _ in people]
     full = _full_marks_column(sheet, grade, rows)
-    point = decimal_point(
-        (sheet.field(row, at) for row in rows for at in (grade, full or grade)), sheet.delimiter
-    )
-    least = decimals(sheet.field(row, at) for row in rows for at in (grade, full or grade))
+    texts = [sheet.field(row, at) for row in rows for at in (grade, full or grade)]
+    sign = sign_of(texts, sheet.delimiter, options, WHAT)
+    least = decimals(texts)
     comments = next((k for k, title in enumerate(header) if title.casefold() in COMMENTS), None)
     before = grade if full is None else full
     slots = [
         Slot(
             _line(sheet, header, row, number),
-            _points(sheet, row, full, options),
+            _points(sheet, row, full, sign, options),
             _locked(sheet, row, before),
         )
         for row, number in people
     ]
-    column = Column(grade, MOST_DECIMALS, min(least, MOST_DECIMALS), point, comments)
+    column = Column(grade, MOST_DECIMALS, min(least, MOST_DECIMALS), sign.writes, comments)
     return fill(NAME, sheet, column, slots, given, options)
 
 
@@ -94,9 +87,9 @@ def _locked(sheet: Sheet, row: int, before: int) -> str:
     return "the grade is locked in Moodle" if any(word in NO for word in words) else ""
 
 
-def _points(sheet: Sheet, row: int, full: int | None, options: Options) -> Fraction:
+def _points(sheet: Sheet, row: int, full: int | None, sign: Sign, options: Options) -> Fraction:
     text = "" if full is None else sheet.field(row, full)
-    points = full_marks(text, options)
+    points = full_marks(text, sign, options)
     if points is None:
         raise no_points("the worksheet does not tell the greatest grade: it may be a scale")
     return points
