@@ -4,11 +4,8 @@ A result that is there already and depends on nothing that has changed since is 
 an interrupted marking goes on where it was, and a second one marks only what is new.
 """
 
-import os
-import shutil
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import NamedTuple
 
 from vrts.marking.layout import LOST, RESULT, Layout, write_atomically
@@ -26,6 +23,7 @@ from vrts.marking.submission.one import Order
 from vrts.marking.submission.report_files import RECORDING, REPORT
 from vrts.marking.supervise.limits import Limits
 from vrts.marking.supervise.outcome import Answer, Loss, Lost
+from vrts.marking.supervise.staging import remove_unused, staging_folder
 from vrts.marking.supervise.supervisor import CAN_FORK, Finished, Supervisor
 
 SEARCH = "the search for what would mend it "  # before why it was ended: the mark stands
@@ -76,6 +74,8 @@ def mark_class(
         fork: Whether processes are forked, where the system can.
         staging: Folder for what processes write, on the same disk; None: that of the layout.
     """
+    if layout is not None:
+        remove_unused(layout.staging)
     orders: list[Order] = []
     known: dict[str, Entry] = {}
     for entry in entries:
@@ -92,13 +92,11 @@ def mark_class(
         return
     place = staging if layout is None else layout.staging
     assert place is not None
-    place = place.resolve() / str(os.getpid())
-    try:
-        supervisor = Supervisor(marker, place, jobs=jobs, limits=limits or marker.limits, fork=fork)
+    with staging_folder(place) as own:
+        supervisor = Supervisor(marker, own, jobs=jobs, limits=limits or marker.limits, fork=fork)
         for finished in supervisor.run(orders):
             yield _done(marker, known[finished.order.identifier], finished, layout)
-    finally:
-        shutil.rmtree(place, ignore_errors=True)
+    remove_unused(place)  # again: what a killed marking had started may have ended meanwhile
 
 
 def _done(marker: Marker, entry: Entry, finished: Finished[Order], layout: Layout | None) -> Done:
@@ -152,10 +150,9 @@ def without_program(marker: Marker, entry: Entry, layout: Layout | None) -> Done
     """Return the row of a submission in which there is nothing to mark, and write it."""
     assert entry.kind is not None
     if entry.kind is Kind.UNREADABLE and layout is not None:  # it has pages, which say why
-        layout.staging.mkdir(parents=True, exist_ok=True)
-        with TemporaryDirectory(dir=layout.staging) as folder:
-            marks = marker.refused(entry.identifier, entry.title, entry.sentence, Path(folder))
-            take_files(Path(folder), layout, entry.identifier)
+        with staging_folder(layout.staging) as folder:
+            marks = marker.refused(entry.identifier, entry.title, entry.sentence, folder)
+            take_files(folder, layout, entry.identifier)
     else:
         marks = marker.unmarked(entry.kind, entry.identifier, entry.sentence, entry.hint)
     if layout is not None:

@@ -155,10 +155,12 @@ def test_a_marking_that_is_killed_goes_on_where_it_was(tmp_path: Path) -> None:
     process.wait()
     process.stdout.close()
     assert seen == ["s0", "s1", "s2"]
+    assert list(Layout(tmp_path).staging.iterdir()), "it had no time to tidy up"
     entries = [Entry(f"s{n}", "pick.v2", GOOD) for n in range(6)]
     found = mark(tmp_path, *entries)
     assert {name for name in seen if found.by_id[name].reused} == set(seen)
     assert set(found.marks().values()) == {10.0}
+    assert list(found.layout.staging.iterdir()) == []
 
 
 def test_students_get_nothing_of_hidden_checks(tmp_path: Path) -> None:

@@ -6,7 +6,6 @@ cannot be taken of one submission leaves the others as they are.
 
 from collections.abc import Sequence
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import NamedTuple
 
 import msgspec
@@ -21,6 +20,7 @@ from vrts.marking.remote.recounted import contradiction
 from vrts.marking.remote.signed import secret_of_shard
 from vrts.marking.result import Damaged, Kind, Result, from_bytes
 from vrts.marking.submission.marker import STAFF, Marks
+from vrts.marking.supervise.staging import remove_unused, staging_folder
 from vrts.pipeline.files import CannotRead
 from vrts.pipeline.refused import Refused
 
@@ -73,6 +73,7 @@ def merge(key: Key, sources: Sequence[Path], layout: Layout, *, unsigned: bool =
     """
     if key.secret is None and not unsigned:
         raise _unsigned()
+    remove_unused(layout.staging)
     for other in key.others:
         _write(other.marks, other.files, layout)
     rows: dict[str, HomeRow] = {}
@@ -199,11 +200,10 @@ def _write(marks: Marks, files: dict[str, bytes], layout: Layout) -> None:
     """Write what is about one submission, the results last."""
     identifier = marks.staff.id
     lost = files.pop(f"{STAFF}/{LOST}", None)
-    layout.staging.mkdir(parents=True, exist_ok=True)
-    with TemporaryDirectory(dir=layout.staging) as staging:
+    with staging_folder(layout.staging) as staging:
         for name, data in files.items():
-            write_atomically(Path(staging) / name, data)
-        take_files(Path(staging), layout, identifier)
+            write_atomically(staging / name, data)
+        take_files(staging, layout, identifier)
     place = layout.grader(identifier) / LOST
     if lost is None:
         place.unlink(missing_ok=True)

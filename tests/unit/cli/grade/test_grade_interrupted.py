@@ -118,6 +118,11 @@ def test_what_was_merged_can_be_purged(home: Path) -> None:
         done = vrts_text("grade", *words, cwd=home)
         assert done.returncode == 0, done.stderr
     assert (home / "out" / "students" / "anna" / "result.json").is_file()
-    assert "Cans on bases, begun, and not ended, today" in purge(home, "--older-than", "1d").stdout
+    assert "Cans on bases, marked today" in purge(home, "--older-than", "1d").stdout
+    (home / "shard-01.zip").unlink()
+    merged = vrts_text("grade", "merge", "plan", "-o", "part", cwd=home)
+    assert merged.returncode == 1, "the only result is missing"
+    part = CliRunner().invoke(vrts, ["purge", str(home / "part"), "--older-than", "1d"])
+    assert "Cans on bases, begun, and not ended, today" in part.stdout
     assert purge(home, "--older-than", "0d", "-y").exit_code == 0
     assert not (home / "out").exists()
