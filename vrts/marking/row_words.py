@@ -9,6 +9,7 @@ from vrts.marking.row import Row
 from vrts.report.plain import one_line, width
 from vrts.report.quantities import lost, mark
 
+MARK_WIDTH = 4  # of 10.0; a larger total needs more
 NAME_WIDTH = 28
 LONGEST = 110  # characters of the cause
 
@@ -21,7 +22,8 @@ def row_words(row: Row, title: str) -> str:
         title: Of its program; shown where it tells as much as the id.
     """
     result, final = row.result, row.exact_final
-    shown = "  - " if final is None else f"{mark(final):>4}"
+    wide = max(MARK_WIDTH, len(mark(result.exact_total)))
+    shown = f"{'- ' if final is None else mark(final):>{wide}}"
     cause = one_line(result.cause)
     if len(cause) > LONGEST:
         cause = cause[: LONGEST - 1] + "…"

@@ -4,13 +4,18 @@ import json
 import re
 from datetime import UTC, datetime, timedelta
 from fractions import Fraction
+from pathlib import Path
 
 import msgspec
 import pytest
 
+from tests.places import ROOT
+from tests.support_commands import vrts_text
 from tests.support_exports import given, result, row
 from vrts.base.source import SourceFile
 from vrts.check.task.late_rules import LateRules
+from vrts.marking.appeals.evidence import Contents
+from vrts.marking.appeals.evidence_readme import readme
 from vrts.marking.by_hand.overrides import read_overrides, with_overrides
 from vrts.marking.exports.autograders.classroom50 import scores
 from vrts.marking.exports.autograders.gradescope import results as gradescope
@@ -24,7 +29,12 @@ from vrts.marking.overview.figures import spread
 from vrts.marking.overview.page import overview_page
 from vrts.marking.result import Damaged, Result, from_bytes, to_bytes
 from vrts.marking.row import Class, Row, Student, class_from_bytes, class_to_bytes, row_of
+from vrts.marking.row_words import row_words
+from vrts.marking.submission.one import Wanted
+from vrts.marking.submission.setting import Place
 
+EXAMPLE = ROOT / "examples" / "01-cans-on-bases"
+SHOWN = (".csv", ".json", ".txt", ".xml", ".html")
 OF_20 = msgspec.structs.replace(result(mark=8.5), mark=17.0, total=20.0)
 
 
@@ -90,3 +100,41 @@ def test_the_histogram_has_tenths_of_the_total() -> None:
     page = overview_page(Class("vrts.class/1", "Lab", rows))
     assert "with a mark from 18 to 20" in page
     assert re.search(r"full marks</dt><dd>20</dd>", page)
+
+
+@pytest.mark.parametrize(("mark", "total"), [(4.2, 5.0), (7.5, 7.5), (100.0, 100.0), (83.1, 100.0)])
+def test_an_appeal_and_a_line_of_a_class_have_the_total(mark: float, total: float) -> None:
+    one = of(msgspec.structs.replace(result(mark=mark), total=total))
+    place = Place("")
+    told = readme(one, Contents("vrts.evidence/1", "", "", "", place, Wanted(), "", (), {}, {}))
+    assert told.count(f"{mark} of {total:g}") == 2, told
+    assert "of 10\n" not in told
+    line = row_words(one, "anna.v2")
+    assert line.startswith(f"{mark:{max(4, len(str(total)))}.1f}  anna")
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("total", [5, 7.5, 100])
+def test_from_the_task_to_every_export(total: float, tmp_path: Path) -> None:
+    task = (EXAMPLE / "task.toml").read_text().partition("[mark]")[0]
+    (tmp_path / "task.toml").write_text(f"{task}[mark]\ntotal = {total}\n")
+    (tmp_path / "hand").mkdir()
+    (tmp_path / "hand" / "anna.v2").write_bytes((EXAMPLE / "solution.v2").read_bytes())
+    row_of_anna = "Participant 11,Anna,anna@a.b,Submitted,,50.00,Yes,-,"
+    head = "Identifier,Full name,Email address,Status,Grade,Maximum Grade,Grade can be changed,"
+    sheet = f"{head}Last modified (grade),Feedback comments\n{row_of_anna}\n"
+    (tmp_path / "sheet.csv").write_text(sheet)
+    made = vrts_text("grade", "task.toml", "hand", "-o", "out", "--no-pages", cwd=tmp_path)
+    assert made.returncode == 0, made.stderr
+    assert made.stdout.strip().startswith(f"{total:.1f}  anna")
+    formats = ("csv", "json", "moodle", "gradescope", "prairielearn", "junit")
+    words = [word for name in formats for word in ("--to", name)]
+    told = vrts_text("grade", "export", "out", *words, "--fill", "sheet.csv", cwd=tmp_path)
+    assert told.returncode == 0, told.stderr
+    found = {p.name: p.read_text() for p in (tmp_path / "out").rglob("*") if p.suffix in SHOWN}
+    assert f",{total:.1f},,,{total:.1f}," in found["marks.csv"]
+    assert ",50.00,50.00,Yes" in found["moodle-worksheet.csv"]
+    assert f"Final mark: {total:.1f} of {total:g}" in found["moodle-worksheet.csv"]
+    assert f"Final mark: {total:.1f} of {total:g}" in found["feedback.txt"]
+    assert json.loads(found["class.json"])["rows"][0]["final"] == total
+    assert [name for name, text in found.items() if re.search(r"of 10\b", text)] == []

@@ -162,11 +162,12 @@ def _text(setting: "Setting", found: "TaskCheck") -> str:
     task = setting.task
     assert task is not None
     total = f"{float(task.mark.total):g}"
+    wide = max(4, len(f"{float(task.mark.total):.1f}"))
     lines = [f"{task.title}: {'ready to be handed out' if found.ready else 'not ready'}"]
     if found.reference is not None and found.reference.grade is not None:
-        lines.append(f"  reference      {float(found.reference.grade.mark):4.1f} of {total}")
+        lines.append(f"  reference      {float(found.reference.grade.mark):{wide}.1f} of {total}")
     assert found.empty.grade is not None
-    lines.append(f"  empty program  {float(found.empty.grade.mark):4.1f} of {total}")
+    lines.append(f"  empty program  {float(found.empty.grade.mark):{wide}.1f} of {total}")
     lines.append(f"  hidden checks  {setting.hidden:2d}")
     if found.times is not None:
         lines += ["", "times [s]        now   from the reference"]
@@ -175,5 +176,5 @@ def _text(setting: "Setting", found: "TaskCheck") -> str:
         lines.append(f"  t_par_s     {task.t_par:6.2f}   {float(times.t_par_s):6.2f}")
         lines.append(f"  t_max_s     {task.t_max:6.2f}   {float(times.t_max_s):6.2f}")
     lines += ["", "points  lost by"]
-    lines += [f"  {float(worth.points):5.2f}  {worth.what}" for worth in found.worths]
+    lines += [f"  {float(worth.points):{wide + 1}.2f}  {worth.what}" for worth in found.worths]
     return plain_text("\n".join(lines))

@@ -13,13 +13,15 @@ from vrts.marking.appeals.evidence import (
 from vrts.marking.appeals.proof import PROOF
 from vrts.marking.row import Row
 from vrts.report.plain import one_line
+from vrts.report.quantities import full
 
 
 def readme(row: Row, contents: Contents) -> str:
     """Return the text."""
     result = row.result
-    mark = "no mark" if result.mark is None else f"{result.mark:.1f} of 10"
-    final = "no mark" if row.final is None else f"{row.final:.1f} of 10"
+    of_all = f"of {full(result.exact_total)}"
+    mark = "no mark" if result.mark is None else f"{result.mark:.1f} {of_all}"
+    final = "no mark" if row.final is None else f"{row.final:.1f} {of_all}"
     lines = [
         f"Evidence for the mark of {one_line(row.id)}",
         "",
