@@ -36,6 +36,13 @@ __all__ = ["PATCHES", "Patch"]
 
 PATCHES: tuple[Patch, ...] = (
     Patch(
+        "students are handed the README as it lies in the folder, whatever the task says",
+        "vrts/cli/authoring/task_command.py",
+        "    files.public[NAME] = readme_to_hand_out(_folder(folder), load_task(folder))",
+        "    readme_to_hand_out(_folder(folder), load_task(folder))",
+        ("tests/unit/assignments/handed/test_readme.py",),
+    ),
+    Patch(
         "a guest may have a name that looks like another's",
         "vrts/live/people/naming.py",
         "not self._shown.isdisjoint(look(name).watched)",
