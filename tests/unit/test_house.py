@@ -27,6 +27,7 @@ DOORS = {  # imports within functions below `cli`, each with its reason beside i
     ("vrts.marking.submission.report_files", "vrts.report.recording"),
     ("vrts.live.callers.open_files", "resource"),
     ("vrts.marking.supervise.limits", "resource"),
+    ("vrts.marking.supervise.staging", "fcntl"),
     ("vrts.validate.camera.compare", "vrts.report.recording.through_camera"),
     ("vrts.validate.log.log_formats", "vrts.validate.log.bags.joint_states"),
     ("vrts.validate.log.log_formats", "vrts.validate.log.matlab"),
