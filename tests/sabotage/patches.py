@@ -1549,6 +1549,20 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/marking/test_lateness.py",),
     ),
     Patch(
+        "what came without a time counts as on time",
+        "vrts/marking/lateness.py",
+        "        if flags:",
+        "        if True:",
+        ("tests/unit/marking/test_lateness.py",),
+    ),
+    Patch(
+        "unsafe marks go into a grade book without a word",
+        "vrts/marking/exports/write.py",
+        "refusal(rows, options.despite) if final else ()",
+        "()",
+        ("tests/unit/marking/exports/test_write.py",),
+    ),
+    Patch(
         "who comes after closing loses the usual points",
         "vrts/marking/lateness.py",
         "deduction = raw if late.closed else",

@@ -6,7 +6,7 @@ from fractions import Fraction
 
 from vrts.check.task.late_rules import LateRules
 from vrts.marking.intake.candidate import data_of
-from vrts.marking.intake.row import Attempt
+from vrts.marking.intake.row import Attempt, Platform
 from vrts.marking.intake.row import Kind as Problem
 from vrts.marking.intake.row import Row as Found
 from vrts.marking.intake.tree.opening import Tree, Unreadable
@@ -106,9 +106,13 @@ def _entry(tree: Tree, identifier: str, title: str, file: str) -> Entry:
 
 
 def _late(found: Found, result: Result, rules: LateRules | None) -> Lateness | None:
-    late = lateness(rules, found.received, due=found.due, flagged_late=found.flagged_late)
-    if not late.sentence:
+    flags = Platform.CANVAS.value in found.student.ids  # Canvas calls late what is late
+    late = lateness(
+        rules, found.received, due=found.due, flagged_late=found.flagged_late, flags=flags
+    )
+    nothing_came = result.kind in (Kind.MISSING, Kind.EXCUSED)
+    if not late.sentence or (late.untimed and nothing_came):
         return None
     deduction = marks(result.exact_mark or Fraction(0), late, result.exact_total).deduction
     seconds = 0 if late.late_by is None else int(late.late_by.total_seconds())
-    return Lateness(seconds, str(deduction), late.sentence, late.review)
+    return Lateness(seconds, str(deduction), late.sentence, late.review, late.untimed)

@@ -12,6 +12,8 @@ from vrts.check.task.score import to_tenth
 DAY = timedelta(days=1)
 ON_TIME = timedelta(0)
 NOTHING = Fraction(0)
+FLAGGED = "late, says the platform, but not when it came"
+UNTIMED = "nothing tells when it came, and being late costs points"
 
 
 class Lateness(NamedTuple):
@@ -22,6 +24,7 @@ class Lateness(NamedTuple):
     closed: bool  # too late to count at all
     sentence: str  # "" for on time
     review: bool = False  # somebody has to look when it came
+    untimed: bool = False  # not even whether it was late is known
 
 
 class Marks(NamedTuple):
@@ -41,6 +44,7 @@ def lateness(
     *,
     due: datetime | None = None,
     flagged_late: bool = False,
+    flags: bool = False,
 ) -> Lateness:
     """Return how late a hand-in is.
 
@@ -49,14 +53,16 @@ def lateness(
         received: When it came, told by the platform; None: not known.
         due: An own deadline of the student; closing moves along with it.
         flagged_late: The platform calls it late.
+        flags: It is of a platform that says what is late: what it does not call late is on time.
     """
     if rules is None:
         return UNJUDGED
     if received is None:
-        if not flagged_late:
+        if flagged_late:
+            return Lateness(None, NOTHING, closed=False, sentence=FLAGGED, review=True)
+        if flags:
             return UNJUDGED
-        sentence = "late, says the platform, but not when it came"
-        return Lateness(None, NOTHING, closed=False, sentence=sentence, review=True)
+        return Lateness(None, NOTHING, closed=False, sentence=UNTIMED, review=True, untimed=True)
     deadline = due or rules.due
     late_by = max(ON_TIME, received - deadline)
     if rules.closed is not None and received > rules.closed + (deadline - rules.due):

@@ -1,5 +1,7 @@
 """One row of a class's marks: a result, whose it is, and what lateness and people make of it."""
 
+from collections import Counter
+from collections.abc import Iterable
 from fractions import Fraction
 from typing import Annotated, Literal
 
@@ -9,6 +11,7 @@ from msgspec import Meta, field
 from vrts.check.rules.scheme import TOTAL
 from vrts.check.task.score import to_tenth
 from vrts.marking.result import Damaged, Exact, Mark, Record, Result, check_mark
+from vrts.marking.unsafe import Doubt, Reason, doubts
 
 CLASS_SCHEMA = "vrts.class/1"
 LARGEST = 512_000_000  # bytes of the rows of a class
@@ -39,6 +42,7 @@ class Lateness(Record, frozen=True):
     deduction: Exact
     sentence: str
     review: Annotated[bool, Meta(description="somebody has to look when it came")] = False
+    untimed: Annotated[bool, Meta(description="not even whether it was late is known")] = False
 
 
 class Change(Record, frozen=True):
@@ -48,6 +52,9 @@ class Change(Record, frozen=True):
     reason: str
     who: str
     date: Annotated[str, Meta(description="ISO 8601")]
+    settles: Annotated[
+        tuple[str, ...], Meta(description="reasons of doubt that it decides; `all`: every one")
+    ] = ()
 
 
 class Row(Record, frozen=True):
@@ -60,6 +67,9 @@ class Row(Record, frozen=True):
     late: Lateness | None = None
     change: Change | None = None
     final: Annotated[Mark | None, Meta(description="null: there is no mark")] = None
+    unsafe: Annotated[
+        tuple[Doubt, ...], Meta(description="why nobody should take the mark for final")
+    ] = ()
 
     @property
     def exact_final(self) -> Fraction | None:
@@ -73,6 +83,10 @@ class Class(Record, frozen=True):
     schema: Literal["vrts.class/1"]
     title: str
     rows: tuple[Row, ...]
+    unsafe: Annotated[
+        dict[str, int] | None,
+        Meta(description="how many marks are unsafe, by reason; null: an earlier vrts wrote it"),
+    ] = None
 
     @property
     def total(self) -> Fraction:
@@ -87,7 +101,10 @@ def row_of(
     late: Lateness | None = None,
     change: Change | None = None,
 ) -> Row:
-    """Return the row of a result; its final mark is computed here and nowhere else."""
+    """Return the row of a result; its final mark is computed here and nowhere else.
+
+    What makes the mark unsafe is put beside it.
+    """
     final = final_mark(result.exact_mark, late, change, result.exact_total)
     return Row(
         result.id,
@@ -97,7 +114,25 @@ def row_of(
         late,
         change,
         None if final is None else float(final),
+        _doubts(result, late, change),
     )
+
+
+def _doubts(result: Result, late: Lateness | None, change: Change | None) -> tuple[Doubt, ...]:
+    untimed = late.sentence if late is not None and late.review else ""
+    return doubts(result, untimed=untimed, settled=() if change is None else change.settles)
+
+
+def unsafe_first(rows: Iterable[Row]) -> tuple[Row, ...]:
+    """Return rows with those first whose marks are unsafe, otherwise in their order."""
+    return tuple(sorted(rows, key=lambda row: not row.unsafe))
+
+
+def counted(rows: Class) -> Class:
+    """Return a class that tells how many marks are unsafe, with these rows first."""
+    reasons = Counter(reason for row in rows.rows for reason in {d.reason for d in row.unsafe})
+    counts = {reason.value: reasons[reason] for reason in Reason if reasons[reason]}
+    return msgspec.structs.replace(rows, rows=unsafe_first(rows.rows), unsafe=counts)
 
 
 def final_mark(
@@ -121,8 +156,8 @@ def final_mark(
 
 
 def class_to_bytes(rows: Class) -> bytes:
-    """Return the rows of a class as JSON, laid out for people."""
-    return msgspec.json.format(msgspec.json.encode(rows), indent=1) + b"\n"
+    """Return the rows of a class as JSON, laid out for people: unsafe marks counted, and first."""
+    return msgspec.json.format(msgspec.json.encode(counted(rows)), indent=1) + b"\n"
 
 
 def class_from_bytes(data: bytes) -> Class:
@@ -140,4 +175,9 @@ def class_from_bytes(data: bytes) -> Class:
     for row in found.rows:
         check_mark(row.result, row.result.mark)
         check_mark(row.result, row.final)
-    return found
+    rows = tuple(
+        msgspec.structs.replace(row, unsafe=_doubts(row.result, row.late, row.change))
+        for row in found.rows
+    )  # as this vrts judges them, whoever wrote them
+    judged = msgspec.structs.replace(found, rows=rows)
+    return judged if found.unsafe is None else counted(judged)

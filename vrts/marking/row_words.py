@@ -34,13 +34,18 @@ def row_words(row: Row, title: str) -> str:
         computed = "no mark" if result.exact_mark is None else mark(result.exact_mark)
         told = (f"{lost(-step.points)} {step.title} ({one_line(step.sentence)})" for step in beside)
         lines.append(f"      computed {computed}; {'; '.join(told)}")
-    if result.review:
-        lines.append(f"      review{_between(result)}: {_reasons(result)}")
+    if row.unsafe:
+        lines.append(f"      unsafe{_between(result)}: {_reasons(row)}")
     return "\n".join(lines)
 
 
-def _reasons(result: Result) -> str:
-    return "; ".join(one_line(reason) for reason in result.review)
+def _reasons(row: Row) -> str:
+    """Return why a mark is unsafe, without saying the cause once more."""
+    cause = row.result.cause
+    return "; ".join(
+        doubt.reason.value + ("" if doubt.sentence == cause else f": {one_line(doubt.sentence)}")
+        for doubt in row.unsafe
+    )
 
 
 def _between(result: Result) -> str:

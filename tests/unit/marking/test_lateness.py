@@ -64,10 +64,20 @@ def test_times_are_instants_whatever_their_zone() -> None:
     assert lateness(BY_DAY, DUE.astimezone(UTC) + SECOND).late_by == SECOND
 
 
-def test_without_rules_or_without_a_time_nothing_is_deducted() -> None:
+def test_without_rules_nothing_is_deducted() -> None:
     assert lateness(None, DUE + DAY).points == 0
-    assert lateness(BY_DAY, None).late_by is None
-    assert not lateness(BY_DAY, None).review
+    assert lateness(None, None) == lateness(None, DUE + DAY)
+
+
+def test_without_a_time_nothing_is_deducted_and_somebody_has_to_look() -> None:
+    found = lateness(BY_DAY, None)
+    assert (found.late_by, found.points, found.review, found.untimed) == (None, 0, True, True)
+    assert found.sentence == "nothing tells when it came, and being late costs points"
+
+
+def test_a_platform_that_says_what_is_late_says_what_is_not() -> None:
+    assert lateness(BY_DAY, None, flags=True) == lateness(None, None)
+    assert lateness(BY_DAY, None, flags=True, flagged_late=True).review
 
 
 def test_what_is_late_at_an_unknown_time_is_to_be_reviewed() -> None:

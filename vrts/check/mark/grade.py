@@ -11,6 +11,7 @@ from vrts.check.rules.scheme import TOTAL
 from vrts.check.verdict import Answer
 
 REVIEW = "to be reviewed"  # begins the obstacles that a person has to look at
+NOT_CHECKED = "collisions were not checked"  # one of the obstacles
 
 
 class Status(Enum):

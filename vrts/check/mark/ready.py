@@ -10,7 +10,7 @@ from typing import NamedTuple
 from vrts.base.diagnostic import Diagnostic
 from vrts.check.goals.reached import Reached, reached
 from vrts.check.judgement import Judgement
-from vrts.check.mark.grade import REVIEW
+from vrts.check.mark.grade import NOT_CHECKED, REVIEW
 from vrts.check.mark.losses import Mishap, mishaps_of, stopped_by, where
 from vrts.check.task.demands import DEMAND
 from vrts.check.task.task import Task
@@ -143,7 +143,7 @@ def _asked(asked: Asked) -> Iterator[Obstacle]:
 def _doubts(judgement: Judgement) -> Iterator[Obstacle]:
     report = judgement.collisions
     if report is None:
-        yield Obstacle(Kind.UNCHECKED, "collisions were not checked")
+        yield Obstacle(Kind.UNCHECKED, NOT_CHECKED)
         return
     for words in report.disagreements:
         yield Obstacle(Kind.ENGINES, f"{REVIEW}: two engines disagree: {words}")

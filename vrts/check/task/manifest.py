@@ -25,6 +25,7 @@ MOST_FILES = 200
 OF_TASK = ("task.toml", "scenario.toml")
 HARMLESS = (".toml", ".md", ".v2", ".png", ".svg", ".jpg")  # no shapes of a scene are in these
 NOT_COUNTING = "this mark does not count"
+ANOTHER_VERSION = "this is vrts"  # begins what tells of another version
 
 
 class Manifest(NamedTuple):
@@ -141,7 +142,7 @@ def unsuitable(manifest: Manifest) -> tuple[Diagnostic, ...]:
     """Return a warning if this vrts is none of those that may mark a task."""
     if __version__ in manifest.versions:
         return ()
-    headline = f"this is vrts {__version__}: {NOT_COUNTING}"
+    headline = f"{ANOTHER_VERSION} {__version__}: {NOT_COUNTING}"
     remedy = f"install vrts {' or '.join(manifest.versions)} for a mark that counts"
     return (warning(OTHER_VERSION, headline, help=(remedy,)),)
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from vrts.cli.grade.options import marking_option
+from vrts.cli.grade.options import marking_option, settles_option
 from vrts.cli.shared.console import fail, guarded, out, say, show_diagnostics
 from vrts.cli.shared.options import color_option
 
@@ -55,6 +55,7 @@ class Points(click.ParamType[Fraction]):
 @marking_option
 @click.option("--delta", type=Points(), help="Points to add; with a minus, to take away.")
 @click.option("--mark", type=Points(), help="The new mark, after lateness.")
+@settles_option()
 @click.option("--reason", required=True, help="Why; the student may ask.")
 @click.option("--who", required=True, help="Who decides.")
 @click.option("--date", "day", metavar="YYYY-MM-DD", help="When; without it today.")
@@ -65,6 +66,7 @@ def command(
     folder: Path,
     delta: Fraction | None,
     mark: Fraction | None,
+    settles: tuple[str, ...],
     reason: str,
     who: str,
     day: str | None,
@@ -76,6 +78,9 @@ def command(
     of OUT/staff/overrides.toml. You may also edit that file; comments in it stay. The change is
     shown beside the computed mark, and counts whenever the class is marked again. Several changes
     for one student are made one after the other.
+
+    A mark that was unsafe is decided by `--mark`; by `--delta` (which may be 0) where `--settles`
+    names the reason. An export no longer asks for it then.
     """
     from vrts.marking.appeals.written import read_written
     from vrts.marking.by_hand.override_text import add_overrides
@@ -86,7 +91,7 @@ def command(
     written = read_written(folder)
     row = written.row(student)
     today = day or date.today().isoformat()
-    added = Override(row.id, delta, mark, reason, who, today)
+    added = Override(row.id, delta, mark, reason, who, today, settles)
     overrides = add_overrides(written.layout.overrides, [added], written.known, written.rows.total)
     show_diagnostics(overrides.diagnostics, color)
     changed = with_overrides(written.rows, overrides)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from vrts.cli.grade.options import despite_option
 from vrts.cli.shared.console import fail, guarded, say, show_diagnostics
 from vrts.cli.shared.options import color_option, file_option
 
@@ -89,6 +90,7 @@ NAMES = (
     type=click.Choice(sorted(DECIMALS)),
     help="Decimal sign; with `comma` a `csv` has semicolons. Without it as FILE writes numbers.",
 )
+@despite_option()
 @file_option(
     "-o",
     "--output",
@@ -107,6 +109,7 @@ def command(
     no_pages: bool,
     delimiter: str | None,
     decimal: str | None,
+    despite: tuple[str, ...],
     target: Path | None,
     color: str,
 ) -> None:
@@ -118,6 +121,10 @@ def command(
     line ends stay as they are. Students are found by id, then by address or login, then by name.
     What students get says nothing of hidden checks.
 
+    Nothing that may be taken for final is written while marks are unsafe: late without a time,
+    ambiguous, undetermined, and so on. `vrts grade change` decides one of them, `--despite` accepts
+    them; then the export says so. Only json, junit and sarif are written in any case.
+
     After marking with --pseudonyms, the files for Moodle and Canvas and the table have the names
     again, from OUT/staff/names.csv. All other files stay without names.
     """
@@ -125,6 +132,7 @@ def command(
     from vrts.marking.by_hand.overrides import with_overrides
     from vrts.marking.exports.autograders.classroom50 import from_environment
     from vrts.marking.exports.given import Options
+    from vrts.marking.exports.unsafe_marks import untold
     from vrts.pipeline.refused import Refused
 
     if decimal is not None and not set(names) & set(WITH_DECIMALS):
@@ -144,7 +152,9 @@ def command(
         from_environment(os.environ),
         datetime.now(UTC),
         DECIMALS.get(decimal or "", ""),
+        frozenset(despite),
     )
+    show_diagnostics(untold(written.rows), color)
     export(names, with_overrides(written.rows, overrides), written.layout, options, color, target)
 
 

@@ -12,6 +12,7 @@ import click
 from vrts.cli.grade.export_command import NAMES, export, given_page
 from vrts.cli.grade.options import (
     again_option,
+    despite_option,
     mend_option,
     no_pages_option,
     recordings_option,
@@ -106,6 +107,7 @@ change, each with --help. Sessions of the live server: vrts grade [TASK] --sessi
     metavar="FILE",
     help="The worksheet or grade book to fill in, for `--export moodle` or `canvas`.",
 )
+@despite_option()
 @click.option("--verify", is_flag=True, help="Mark a random sample again, and compare.")
 @click.option(
     "--sample",
@@ -140,6 +142,7 @@ def command(
     backend: str | None,
     formats: tuple[str, ...],
     fill: Path | None,
+    despite: tuple[str, ...],
     verify: bool,
     sample: int,
     pseudonyms: bool,
@@ -173,6 +176,7 @@ def command(
     stay the same when the key does. It does not change what students write into their programs.
     """
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before numpy: threads do not fork
+    from vrts.marking.exports.unsafe_marks import after_marking
     from vrts.marking.layout import Layout
     from vrts.marking.privacy.pseudonyms import require_names
     from vrts.marking.remote.backend import read_backend
@@ -212,8 +216,9 @@ def command(
             say(f"note: {remark}")
         if layout is not None:
             write_lists(marker, marked, layout, about)
+            show_diagnostics(after_marking(marked.rows), color)
     if layout is not None and formats:
-        _export(formats, marked, layout, fill, color)
+        _export(formats, marked, layout, fill, despite, color)
     if form == "json":
         from vrts.marking.row import class_to_bytes
 
@@ -239,11 +244,16 @@ def _same_again(marker: "Marker", marked: "Marked", count: int, jobs: int) -> bo
 
 
 def _export(
-    formats: "Sequence[str]", marked: "Marked", layout: "Layout", fill: Path | None, color: str
+    formats: "Sequence[str]",
+    marked: "Marked",
+    layout: "Layout",
+    fill: Path | None,
+    despite: "Sequence[str]",
+    color: str,
 ) -> None:
     from vrts.marking.exports.given import Options
 
-    options = Options(given_page(fill), now=datetime.now(UTC))
+    options = Options(given_page(fill), now=datetime.now(UTC), despite=frozenset(despite))
     export(formats, marked.rows, layout, options, color)
 
 

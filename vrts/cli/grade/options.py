@@ -6,6 +6,11 @@ import click
 
 from vrts.cli.shared.options import Option, file_option
 
+DESPITE = (
+    *("crashed", "resource", "ambiguous", "altered", "version", "hidden", "unchecked"),
+    *("undetermined", "late", "all"),
+)  # a test holds them against the reasons, which are imported when they are used
+
 results_option = file_option("-o", "--output", "folder", help="Folder for results.")
 marking_option = file_option(
     "--from", "folder", required=True, metavar="OUT", help="The folder that the marking wrote."
@@ -46,3 +51,25 @@ def roster_option(also: str = "") -> Option[Any]:
     """Return `--roster`; `also` is what else a command takes from it."""
     says = "Moodle's grading worksheet, or the grade book of Canvas: names, ids, who is missing"
     return file_option("--roster", "class_list", help=f"{says}{also}.")
+
+
+def despite_option() -> Option[Any]:
+    """Return `--despite`."""
+    return click.option(
+        "--despite",
+        type=click.Choice(DESPITE),
+        multiple=True,
+        metavar="REASON",
+        help="Export marks that are unsafe for this reason; `all` for any. Repeatable.",
+    )
+
+
+def settles_option() -> Option[Any]:
+    """Return `--settles`."""
+    return click.option(
+        "--settles",
+        type=click.Choice(DESPITE),
+        multiple=True,
+        metavar="REASON",
+        help="What made the mark unsafe and is decided now; `--mark` settles all. Repeatable.",
+    )

@@ -95,6 +95,7 @@ def command(
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before numpy: threads do not fork
     from vrts.live.logs.class_sessions import sessions_in
     from vrts.live.logs.session_marker import SessionMarker
+    from vrts.marking.exports.unsafe_marks import after_marking
     from vrts.marking.layout import Layout
     from vrts.marking.submission.one import Wanted
     from vrts.marking.submission.setting import Place
@@ -121,6 +122,7 @@ def command(
     show_diagnostics(marker.whole.stamps, color)
     if layout is not None:
         _write(rows, about, layout)
+        show_diagnostics(after_marking(rows), color)
     if form == "json":
         from vrts.marking.row import class_to_bytes
 

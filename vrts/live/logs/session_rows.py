@@ -11,9 +11,16 @@ from vrts.marking.by_hand.overrides import NONE, with_change
 from vrts.marking.layout import Layout
 from vrts.marking.marking import Entry, mark_class
 from vrts.marking.result import Kind
-from vrts.marking.row import HandedIn, Row, Student, row_of
+from vrts.marking.row import HandedIn, Lateness, Row, Student, row_of
 
 WHY = "the last session of the room in which something was done"
+UNJUDGED = Lateness(
+    0,
+    "0",
+    "lateness of sessions is not judged, and being late costs points",
+    review=True,
+    untimed=True,
+)
 
 
 def mark_sessions(
@@ -38,6 +45,8 @@ def mark_sessions(
     """
     names = [room.identifier for room in rooms]
     changes = NONE if layout is None else load_overrides(layout.overrides, names)
+    task = marker.whole.task
+    assert task is not None
     by_name = {room.identifier: room for room in rooms}
     with TemporaryDirectory(prefix="vrts-") as staging:
         asked = tuple(map(_entry, rooms))
@@ -45,7 +54,8 @@ def mark_sessions(
             marker, asked, layout, jobs=jobs, again=again, staging=Path(staging)
         ):
             room = by_name[done.entry.identifier]
-            row = row_of(done.result, Student(name=room.name), HandedIn(room.origin, WHY))
+            late = None if task.late is None or not done.result.mark else UNJUDGED
+            row = row_of(done.result, Student(name=room.name), HandedIn(room.origin, WHY), late)
             yield with_change(row, changes), done.reused
 
 

@@ -16,6 +16,7 @@ BEGINNING = """\
 # Changes of marks by hand. Marking reads this file and never writes over it.
 # Every [[change]] has a student, either delta (points to add) or mark (in place of the mark after
 # lateness), a reason, who decides, and a date. Those of one student are made one after the other.
+# `mark` settles whatever makes the mark unsafe, delta what it names: settles = ["late"]
 """
 
 
@@ -65,8 +66,14 @@ def override_text(override: Override) -> str:
     return (
         f"[[change]]\nstudent = {_quoted(override.student)}\n{points}\n"
         f"reason = {_quoted(override.reason)}\nwho = {_quoted(override.who)}\n"
-        f"date = {_quoted(override.date)}\n"
+        f"date = {_quoted(override.date)}\n{_settles(override)}"
     )
+
+
+def _settles(override: Override) -> str:
+    if not override.settles:
+        return ""
+    return f"settles = [{', '.join(map(_quoted, override.settles))}]\n"
 
 
 def _quoted(text: str) -> str:

@@ -1,8 +1,9 @@
 """Changes of marks by hand: `overrides.toml` in `staff`, which marking reads and never writes over.
 
 Every `[[change]]` names a student, and either `delta` (points to add) or `mark` (what the mark is
-to be after lateness), with a reason, who decides, and when. Those of one student are made in the
-order of the file. They stand beside the computed mark, and survive marking again.
+to be after lateness), with a reason, who decides, and when. `mark` settles whatever makes the mark
+unsafe; `delta` what it names in `settles`. Those of one student are made in the order of the file.
+They stand beside the computed mark, and survive marking again.
 """
 
 from collections.abc import Collection, Iterable, Mapping
@@ -19,6 +20,7 @@ from vrts.base.source import SourceFile, Span
 from vrts.base.toml.reading import Problems, Table, read_toml
 from vrts.check.rules.scheme import TOTAL
 from vrts.marking.row import Change, Class, Row, final_mark, row_of
+from vrts.marking.unsafe import ALL, REASONS
 
 CHANGE = Rule("V770", "change-by-hand")
 UNKNOWN_STUDENT = Rule("V771", "unknown-student")
@@ -35,6 +37,7 @@ class Override(NamedTuple):
     reason: str
     who: str
     date: str  # ISO 8601
+    settles: tuple[str, ...] = ()  # reasons why the mark was unsafe, or `all`
 
 
 class Overrides(NamedTuple):
@@ -95,6 +98,15 @@ def _override(
     reason = _words(table, problems, "reason")
     who = _words(table, problems, "who")
     day = _date(table, problems)
+    settles = table.strings("settles") or ()
+    for text in settles:
+        if text not in (*REASONS, ALL):
+            problems.error(
+                CHANGE,
+                f"`{text}` is no reason why a mark is unsafe",
+                table.value_span("settles"),
+                help=(f"write one of {', '.join(REASONS)}, or {ALL}",),
+            )
     table.finish()
     given = [key for key in ("delta", "mark") if key in table]
     if len(given) != 1:
@@ -118,7 +130,7 @@ def _override(
         return None
     if delta is None and mark is None:
         return None
-    return Override(student, delta, mark, reason, who, day)
+    return Override(student, delta, mark, reason, who, day, tuple(settles))
 
 
 def _words(table: Table, problems: Problems, key: str) -> str | None:
@@ -171,7 +183,14 @@ def change_of(after_lateness: Fraction | None, overrides: Iterable[Override]) ->
         "; ".join(override.reason for override in made),
         ", ".join(dict.fromkeys(override.who for override in made)),
         made[-1].date,
+        _settled(made),
     )
+
+
+def _settled(made: Iterable[Override]) -> tuple[str, ...]:
+    """Return what changes decide of what made a mark unsafe: a mark in its place, everything."""
+    found = (text for one in made for text in ((ALL,) if one.mark is not None else one.settles))
+    return tuple(dict.fromkeys(found))
 
 
 def with_overrides(rows: Class, overrides: Overrides) -> Class:

@@ -11,6 +11,8 @@ from vrts.marking.exports.given import Returned
 from vrts.marking.exports.numbers import decimal
 from vrts.marking.exports.steps import steps
 from vrts.marking.result import Kind
+from vrts.marking.row import Row
+from vrts.marking.unsafe import Reason
 from vrts.report.page.html import element, joined, prose
 from vrts.report.plain import one_line, plain_text
 
@@ -18,6 +20,7 @@ NAME = "feedback.txt"
 FINAL = "Final mark:"  # begins every comment
 MOST_LOSSES = 20
 NOT_SHOWN = "checks that are not shown here"
+OF_STUDENTS = frozenset({Reason.LATE, Reason.UNCHECKED, Reason.HIDDEN})  # in these words
 
 
 class Line(NamedTuple):
@@ -66,6 +69,15 @@ def feedback_html(told: Returned) -> str:
     return joined(parts).replace("\n", " ").replace("\r", " ")
 
 
+def unsure(row: Row) -> list[str]:
+    """Return why a mark is unsafe, as far as that is for the student to know."""
+    return [
+        f"This mark is not sure yet: {one_line(doubt.sentence)}."
+        for doubt in row.unsafe
+        if doubt.reason in OF_STUDENTS
+    ]
+
+
 def _words(told: Returned) -> Words:
     row, public = told
     final = row.exact_final
@@ -91,6 +103,7 @@ def _words(told: Returned) -> Words:
         remarks.append("These are the losses in what you can see.")
     if public.review:
         remarks.append("A person will look at this run: the mark may still change.")
+    remarks += unsure(row)
     remarks += [f"This mark does not count: {one_line(stamp)}." for stamp in public.stamps]
     return Words(one_line(public.task.title), mark, _made_of(told), losses, tuple(remarks))
 

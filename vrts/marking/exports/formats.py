@@ -25,11 +25,12 @@ class Format(NamedTuple):
     what: str
     fills: bool = False  # whether it fills in a file of the teacher's
     names: bool = False  # whether it is of use with names only, also after marking without
+    final: bool = True  # whether its marks go to grade books or students, who take them for final
 
 
 FORMATS: dict[str, Format] = {
     "csv": Format(marks_table, "a table of all marks", names=True),
-    "json": Format(class_json, "everything, as published"),
+    "json": Format(class_json, "everything, as published", final=False),
     "moodle": Format(moodle, "Moodle's grading worksheet, filled in", fills=True, names=True),
     "canvas": Format(canvas, "the grade book of Canvas, filled in", fills=True, names=True),
     "moodle-feedback": Format(moodle_feedback, "zip of feedback files for Moodle", names=True),
@@ -37,6 +38,6 @@ FORMATS: dict[str, Format] = {
     "gradescope": Format(gradescope, "results.json of each submission"),
     "prairielearn": Format(prairielearn, "results.json of each submission"),
     "classroom50": Format(classroom50, "result.json of the submission of a run"),
-    "junit": Format(junit, "JUnit XML, a suite for each submission"),
-    "sarif": Format(findings, "what was found in all submissions"),
+    "junit": Format(junit, "JUnit XML, a suite for each submission", final=False),
+    "sarif": Format(findings, "what was found in all submissions", final=False),
 }

@@ -38,6 +38,7 @@ class Options(NamedTuple):
     environment: Mapping[str, str] = MappingProxyType({})  # of a platform's run, by variable
     now: datetime | None = None  # UTC
     decimal: str = ""  # "," or "."; "" as a file that is filled in tells, and as `delimiter` tells
+    despite: frozenset[str] = frozenset()  # reasons why marks are unsafe that do not keep them back
 
 
 class Product(NamedTuple):

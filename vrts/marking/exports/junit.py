@@ -49,6 +49,7 @@ def _suite(root: Element, row: Row) -> Element:
         ("status", result.kind.value),
         ("file", "" if result.program is None else one_line(bare_name(result.program.name))),
         ("key", result.key),
+        ("unsafe", ", ".join(dict.fromkeys(doubt.reason.value for doubt in row.unsafe))),
     ):
         SubElement(properties, "property", name=name, value=value)
     took = result.metrics.duration_s

@@ -6,7 +6,7 @@ from fractions import Fraction
 from vrts.marking.exports.given import Given, Options, Product
 from vrts.marking.exports.numbers import decimal
 from vrts.marking.intake.tables.table_text import BOM, field
-from vrts.marking.row import Class, Row
+from vrts.marking.row import Class, Row, unsafe_first
 from vrts.report.plain import one_line
 
 NAME = "marks.csv"
@@ -23,6 +23,7 @@ COLUMNS = (
     "deduction",
     "change",
     "final",
+    "unsafe",
     "lowest",
     "late",
     "reason",
@@ -46,6 +47,8 @@ def marks_table(given: Given, options: Options) -> Product:
 def marks_csv(whole: Class, delimiter: str = ",", decimal_sign: str = "") -> bytes:
     """Return the table of a class: UTF-8 with its mark, RFC 4180, no field a formula.
 
+    Unsafe marks come first.
+
     Args:
         whole: Its rows.
         delimiter: `,` with decimal points, or `;` with decimal commas.
@@ -53,7 +56,7 @@ def marks_csv(whole: Class, delimiter: str = ",", decimal_sign: str = "") -> byt
     """
     point = decimal_sign or ("," if delimiter == ";" else ".")
     lines = [delimiter.join(COLUMNS)]
-    for row in whole.rows:
+    for row in unsafe_first(whole.rows):
         lines.append(delimiter.join(_fields(row, point, delimiter)))
     return BOM + "".join(f"{line}\r\n" for line in lines).encode()
 
@@ -84,6 +87,7 @@ def _fields(row: Row, point: str, delimiter: str) -> Iterator[str]:
     yield number(None if late is None else Fraction(late.deduction))
     yield number(None if change is None else Fraction(change.delta))
     yield number(row.exact_final, 1)
+    yield text("; ".join(f"{doubt.reason.value}: {doubt.sentence}" for doubt in row.unsafe))
     yield measured(result.lowest)
     yield text("" if late is None else late.sentence)
     yield text("" if change is None else change.reason)

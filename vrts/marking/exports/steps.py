@@ -28,7 +28,7 @@ def steps(row: Row) -> tuple[Step, ...]:
         return ()
     before = result.exact_mark or NOTHING
     found: list[Step] = []
-    if row.late is not None:
+    if row.late is not None and not row.late.review:  # what is not known yet changes nothing
         after = final
         if row.change is not None:
             after = final_mark(result.exact_mark, row.late, None, result.exact_total) or NOTHING

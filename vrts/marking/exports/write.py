@@ -11,6 +11,7 @@ from vrts.marking.exports.formats import FORMATS
 from vrts.marking.exports.given import Given, Options, Page, returned
 from vrts.marking.exports.marks_table import NAME as MARKS
 from vrts.marking.exports.marks_table import marks_csv
+from vrts.marking.exports.unsafe_marks import closing, refusal
 from vrts.marking.layout import RESULT, Layout, write_atomically
 from vrts.marking.privacy.pseudonyms import with_names
 from vrts.marking.result import Damaged, Result, from_bytes
@@ -48,8 +49,14 @@ def write_exports(
         The files; of what has a file for each student, the folder.
 
     Raises:
-        Refused: A file of the teacher's cannot be filled in, or a student's result is missing.
+        Refused: A file of the teacher's cannot be filled in, a student's result is missing, or
+            marks that would be taken for final are unsafe, and not for reasons in
+            `options.despite`.
     """
+    final = any(FORMATS[name].final for name in names)
+    kept_back = refusal(rows, options.despite) if final else ()
+    if kept_back:
+        raise Refused(kept_back)
     given = read_given(rows, layout)
     written: list[Path] = []
     for name in names:
@@ -69,6 +76,8 @@ def write_exports(
             place = home / Path(file).parts[0]
             if place not in written:
                 written.append(place)
+    if final:
+        tell(closing(rows))
     return written
 
 

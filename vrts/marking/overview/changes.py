@@ -14,7 +14,7 @@ FIRST = 12  # shown at once
 
 def changes(rows: Sequence[Row], *, pages: bool) -> Markup | None:
     """Return the table; None where every mark is as computed."""
-    found = [row for row in rows if row.late is not None or row.change is not None]
+    found = [row for row in rows if _is_late(row) or row.change is not None]
     if not found:
         return None
     rest = found[FIRST:]
@@ -26,6 +26,10 @@ def changes(rows: Sequence[Row], *, pages: bool) -> Markup | None:
         element("details", more, _table(rest, pages=pages)) if rest else None,
         id="changes",
     )
+
+
+def _is_late(row: Row) -> bool:
+    return row.late is not None and not row.late.untimed
 
 
 def _table(rows: Sequence[Row], *, pages: bool) -> Markup:

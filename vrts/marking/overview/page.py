@@ -6,7 +6,7 @@ from vrts.marking.overview.reviews import reviews
 from vrts.marking.overview.table import table
 from vrts.marking.overview.top import top
 from vrts.marking.overview.worst import checks, most_contacts, slowest
-from vrts.marking.row import Class
+from vrts.marking.row import Class, unsafe_first
 from vrts.report.page.document import document
 from vrts.report.page.html import Markup, element, raw
 from vrts.report.plain import one_line
@@ -32,7 +32,7 @@ def overview_page(
         "Slowest": ("slowest", slowest(every, pages=pages)),
         "Contacts": ("contacts", most_contacts(every, pages=pages)),
         "Late and changed": ("changes", changes(every, pages=pages)),
-        "All submissions": ("all", table(every, pages=pages)),
+        "All submissions": ("all", table(unsafe_first(every), pages=pages)),
     }
     links = [
         element("a", name, href=f"#{identifier}")

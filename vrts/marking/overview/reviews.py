@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from vrts.marking.overview.links import staff_report
 from vrts.marking.overview.words import has_report, name_of, reasons, tenth, to_review, who
 from vrts.marking.row import Row
+from vrts.marking.unsafe import Reason
 from vrts.report.page.html import Markup, element, prose
 
 FIRST = 12  # shown at once
@@ -28,12 +29,21 @@ def reviews(rows: Sequence[Row], *, pages: bool) -> Markup | None:
     return element(
         "section",
         element("h2", "Look at these first"),
+        element("p", _counts(found), class_="where"),
         element("p", BETWEEN, class_="where") if any(map(_is_range, found)) else None,
         element("ol", *items[:FIRST], class_="reviews"),
         more if rest else None,
         id="review",
         class_="review-box",
     )
+
+
+def _counts(rows: Sequence[Row]) -> str:
+    """Return how many marks are unsafe, and for which reasons."""
+    there = [{doubt.reason for doubt in row.unsafe} for row in rows]
+    counts = {reason: sum(reason in one for one in there) for reason in Reason}
+    told = ", ".join(f"{count} {reason.value}" for reason, count in counts.items() if count)
+    return f"{len(rows)} unsafe {'mark' if len(rows) == 1 else 'marks'}: {told}"
 
 
 def _is_range(row: Row) -> bool:
@@ -66,8 +76,7 @@ def _item(row: Row, *, pages: bool) -> Markup:
         style = f"left:{10 * lowest:.0f}%;width:{10 * width:.0f}%"
         bar = element("span", element("i", style=style), class_="range", aria_hidden="true")
         marks = element("span", element("b", text), class_="range-words")
-    why = reasons(row) or result.review
-    words = element("span", *_lines(why), class_="why")
+    words = element("span", *_lines(reasons(row)), class_="why")
     return element("li", who(row, link), marks, bar or element("span"), words)
 
 

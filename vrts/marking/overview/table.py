@@ -71,7 +71,7 @@ def flags(row: Row) -> tuple[str, ...]:
     """Return by which filters a row is found."""
     held = {
         "review": to_review(row),
-        "late": row.late is not None,
+        "late": row.late is not None and not row.late.untimed,
         "changed": row.change is not None,
         "nomark": row.final is None,
     }

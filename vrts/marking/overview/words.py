@@ -2,7 +2,6 @@
 
 from fractions import Fraction
 
-from vrts.check.mark.grade import REVIEW
 from vrts.marking.result import Kind
 from vrts.marking.row import Row
 from vrts.report.page.html import Markup, element
@@ -41,13 +40,14 @@ def who(row: Row, link: str | None) -> Markup:
 
 def reasons(row: Row) -> tuple[str, ...]:
     """Return why somebody has to look at a row."""
-    told = (one_line(text.removeprefix(f"{REVIEW}: ")) for text in row.result.review)
-    return tuple(text for text in told if not text.startswith(RANGE))
+    told = [(doubt.reason.value, one_line(doubt.sentence)) for doubt in row.unsafe]
+    said = [(reason, text) for reason, text in told if not text.startswith(RANGE)]
+    return tuple(f"{reason}: {text}" for reason, text in said or told)
 
 
 def to_review(row: Row) -> bool:
     """Return whether somebody has to look at a row."""
-    return bool(row.result.review)
+    return bool(row.unsafe)
 
 
 def has_report(row: Row) -> bool:

@@ -133,6 +133,26 @@ def test_lateness_by_the_rules_of_the_task(home: Path) -> None:
     assert row["late"]["by_s"] == 25 * 3600
 
 
+def test_a_mark_that_may_lack_a_deduction_is_told_counted_and_kept_back(home: Path) -> None:
+    task = home / "task" / "task.toml"
+    task.write_text(task.read_text() + LATE)
+    shutil.rmtree(home / "download")
+    hand_in(home, ".", "berganna_LATE_31_901_pick.v2", GOOD)
+    hand_in(home, ".", "kiszoltan_32_902_pick.v2", POOR)
+    said = vrts("grade", "task", "download", "-o", "out", "--export", "csv", cwd=home)
+    assert said.returncode == 1
+    assert "      unsafe: late: late, says the platform, but not when it came" in said.stdout
+    assert "warning[V753 unsafe-mark]: 1 of 2 marks is unsafe: `berganna-31` (late)" in said.stderr
+    assert "so nothing is written: `berganna-31` (late)" in said.stderr
+    assert not (home / "out" / "staff" / "exports").exists()
+    found = json.loads((home / "out" / "staff" / "results.json").read_text())
+    assert found["unsafe"] == {"late": 1}
+    assert found["rows"][0]["id"] == "berganna-31"
+    assert "1 unsafe mark: 1 late" in (home / "out" / "staff" / "index.html").read_text()
+    told = (home / "out" / "students" / "berganna-31" / "feedback.txt").read_text()
+    assert "This mark is not sure yet: late, says the platform" in told
+
+
 def test_nothing_handed_in_is_a_wrong_call(home: Path) -> None:
     (home / "empty").mkdir()
     result = vrts("grade", "task", "empty", "-o", "out", cwd=home)

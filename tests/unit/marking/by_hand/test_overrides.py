@@ -55,6 +55,11 @@ def test_a_change_is_read_exactly() -> None:
         ('reason = "the camera had moved"\n', "", "V603 `[change 1]` needs `reason` @ [[change]]"),
         ("R. Huber", "  ", 'V770 `who` is empty @ "  "'),
         ("2026-11-30", "30.11.2026", 'V770 `30.11.2026` is no date @ "30.11.2026"'),
+        (
+            "delta = 0.3",
+            'delta = 0.3\nsettles = ["tardy"]',
+            'V770 `tardy` is no reason why a mark is unsafe @ ["tardy"]',
+        ),
         ("delta", "dleta", "V602 unknown key `dleta` in `[change 1]` @ dleta"),
         ("[[change]]", "[[changes]]", "V602 unknown key `changes` in the file @ changes"),
     ],

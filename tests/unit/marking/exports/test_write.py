@@ -3,7 +3,9 @@
 import csv
 import io
 import json
+import shutil
 import zipfile
+from fractions import Fraction
 from pathlib import Path
 
 import pytest
@@ -13,11 +15,14 @@ from msgspec.structs import replace
 from tests.places import ROOT
 from vrts.cli.grade import export_command, mark_command
 from vrts.cli.grade.export_command import NAMES
+from vrts.marking.by_hand.override_text import add_overrides
+from vrts.marking.by_hand.overrides import Override
 from vrts.marking.exports.formats import FORMATS
 from vrts.marking.exports.given import Options
 from vrts.marking.exports.write import is_name, write_exports, write_marks_table
+from vrts.marking.lateness import UNTIMED
 from vrts.marking.layout import Layout
-from vrts.marking.row import class_from_bytes
+from vrts.marking.row import Lateness, class_from_bytes, class_to_bytes, row_of
 from vrts.pipeline.refused import Refused
 
 EXAMPLE = ROOT / "examples" / "01-cans-on-bases"
@@ -116,6 +121,45 @@ def test_every_marking_may_have_its_table(marked: Path) -> None:
     path = write_marks_table(class_from_bytes(layout.results.read_bytes()), layout)
     assert path == marked / "staff" / "marks.csv"
     assert path.read_bytes().startswith(b"\xef\xbb\xbfid,name,")
+
+
+def test_unsafe_marks_are_kept_back_until_somebody_accepts_them(
+    marked: Path, tmp_path: Path
+) -> None:
+    out = tmp_path / "out"
+    shutil.copytree(marked, out)
+    whole = class_from_bytes(Layout(out).results.read_bytes())
+    late = Lateness(0, "0", UNTIMED, review=True, untimed=True)
+    anna, ben = whole.rows
+    unsafe = row_of(anna.result, anna.student, anna.handed_in, late)
+    Layout(out).results.write_bytes(class_to_bytes(replace(whole, rows=(ben, unsafe))))
+    places = {"csv": "m.csv", "folders": "f", "moodle": "w.csv", "canvas": "c.csv"}
+    for name, place in places.items():
+        called = export(out, "--to", name, "-o", tmp_path / place)
+        assert called.exit_code == 1
+        assert f"1 of 2 marks is unsafe, so nothing is written: `{anna.id}` (late)" in called.output
+        assert not (tmp_path / place).exists()
+    assert export(out, "--to", "csv", "--despite", "hidden").exit_code == 1
+    for name in ("json", "junit", "sarif"):
+        assert export(out, "--to", name).exit_code == 0
+    assert "late" in (out / "staff" / "exports" / "junit.xml").read_text()
+
+    sheet = tmp_path / "worksheet.csv"
+    sheet.write_text(
+        "Identifier,Grade,Maximum Grade,Feedback comments\nParticipant 11,,10,\n", "utf-8"
+    )
+    words = ("--to", "moodle", "--fill", sheet, "-o", tmp_path / "w.csv")
+    called = export(out, *words, "--despite", "late")
+    assert called.exit_code == 0, called.output
+    assert "the export was made despite that" in called.output
+    assert f"This mark is not sure yet: {UNTIMED}." in (tmp_path / "w.csv").read_text("utf-8")
+
+    decided = Override(anna.id, Fraction(0), None, "came in time", "H", "2026-11-20", ("late",))
+    add_overrides(Layout(out).overrides, [decided], [anna.id, ben.id])
+    called = export(out, *words)
+    assert called.exit_code == 0, called.output
+    assert "despite" not in called.output
+    assert "not sure" not in (tmp_path / "w.csv").read_text("utf-8")
 
 
 @pytest.mark.parametrize(
