@@ -33,17 +33,18 @@ WITHOUT_MARK = {
     Kind.RESOURCE: Reason.RESOURCE,
     Kind.AMBIGUOUS: Reason.AMBIGUOUS,
 }
+TABLE = "`staff/intake.csv` (with pseudonyms: `staff/names.csv`)"
 REMEDIES = {
     Reason.CRASHED: "send `fault.txt` beside the grader's report to the makers of vrts",
     Reason.RESOURCE: "mark it again with fewer `--jobs`, or where there is more memory",
-    Reason.AMBIGUOUS: "name the file that is meant in `staff/intake.csv`, and mark again",
+    Reason.AMBIGUOUS: f"name the file that is meant in {TABLE}, and mark again",
     Reason.ALTERED: "mark again with the task that was handed out",
     Reason.VERSION: "mark again with a vrts that the task names",
     Reason.HIDDEN: "mark again with the staff's task, in which the hidden checks are",
     Reason.UNCHECKED: "mark again without `--no-collisions`",
     Reason.UNDETERMINED: "look at the report, and decide",
     Reason.LATE: "give the times with `--roster` (Moodle's grading worksheet), or in the column"
-    " `received` of `staff/intake.csv`, and mark again",
+    f" `received` of {TABLE}, and mark again",
 }
 
 

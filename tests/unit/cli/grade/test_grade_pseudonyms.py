@@ -118,7 +118,12 @@ def test_evidence_is_found_by_name_and_has_none(out: Path, tmp_path: Path) -> No
 
 
 def test_exports_have_the_names_again(out: Path, tmp_path: Path) -> None:
-    done = call("grade", "export", out, "--to", "csv", "-o", tmp_path / "marks.csv")
+    words = ("grade", "export", out, "--to", "csv", "-o", tmp_path / "marks.csv")
+    done = call(*words)
+    assert done.exit_code == 1, done.output
+    assert "(ambiguous)" in done.output
+    assert not (tmp_path / "marks.csv").exists()
+    done = call(*words, "--despite", "ambiguous")
     assert done.exit_code == 0, done.output
     lines = (tmp_path / "marks.csv").read_text("utf-8-sig").splitlines()
     (anna,) = [line for line in lines if "Annegret Bergmeister" in line]
@@ -132,6 +137,7 @@ def test_who_is_not_in_the_worksheet_is_told_by_name(out: Path, tmp_path: Path) 
         "Participant 1234,Annegret Bergmeister,a@example.org,Submitted,,10.00\n"
     )
     words = ("--to", "moodle", "--fill", sheet, "-o", tmp_path / "filled.csv")
+    words = (*words, "--despite", "ambiguous")
     done = call("grade", "export", out, *words)
     assert done.exit_code == 0, done.output
     lacking = re.findall(r"`([^`]+)` \(`[a-z]{4}-[a-z]{4}-[a-z]{4}`\)", done.stderr)
