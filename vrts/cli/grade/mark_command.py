@@ -176,7 +176,6 @@ def command(
     stay the same when the key does. It does not change what students write into their programs.
     """
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before numpy: threads do not fork
-    from vrts.marking.exports.unsafe_marks import after_marking
     from vrts.marking.layout import Layout
     from vrts.marking.privacy.pseudonyms import require_names
     from vrts.marking.remote.backend import read_backend
@@ -215,8 +214,7 @@ def command(
         for remark in marked.remarks:
             say(f"note: {remark}")
         if layout is not None:
-            write_lists(marker, marked, layout, about)
-            show_diagnostics(after_marking(marked.rows), color)
+            write_lists(marker, marked, layout, about, color)
     if layout is not None and formats:
         _export(formats, marked, layout, fill, despite, color)
     if form == "json":
@@ -323,11 +321,14 @@ def _about(marker: "Marker", submissions: "Sequence[str]", *, pseudonyms: bool) 
     return nameless_about(about) if pseudonyms else about
 
 
-def write_lists(marker: "Marker", marked: "Marked", layout: "Layout", about: "About") -> None:
-    """Write what there is about a class as a whole, and what students get."""
+def write_lists(
+    marker: "Marker", marked: "Marked", layout: "Layout", about: "About", color: str
+) -> None:
+    """Write what there is about a class as a whole, and what students get; tell unsafe marks."""
     import msgspec
 
     from vrts.marking.class_files import write_class, write_overview
+    from vrts.marking.exports.unsafe_marks import after_marking
     from vrts.marking.exports.write import write_feedback
     from vrts.marking.similarity.files import compare_class
 
@@ -341,3 +342,4 @@ def write_lists(marker: "Marker", marked: "Marked", layout: "Layout", about: "Ab
     say(f"wrote {layout.overview}")
     without = ", without the hidden checks" if marker.hidden else ""
     say(f"wrote {layout.root / 'students'}, to be sent to each{without}")
+    show_diagnostics(after_marking(marked.rows), color)

@@ -102,7 +102,7 @@ def _lists(key: "Key", home: "AtHome", about: "About", layout: "Layout", color: 
     show_diagnostics((*marker.whole.stamps, *marked.warnings), color)
     for remark in marked.remarks:
         say(f"note: {remark}")
-    write_lists(marker, marked, layout, about)
+    write_lists(marker, marked, layout, about, color)
     return any(done.result.is_fault for done in marked.done)
 
 
