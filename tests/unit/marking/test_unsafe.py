@@ -1,5 +1,7 @@
 """Which marks nobody should take for final, and that each way out of it is one."""
 
+import csv
+import io
 import json
 
 import pytest
@@ -12,6 +14,7 @@ from vrts.marking.exports.given import Returned
 from vrts.marking.exports.marks_table import marks_csv
 from vrts.marking.exports.unsafe_marks import after_marking, closing, refusal, untold
 from vrts.marking.lateness import FLAGGED, UNTIMED
+from vrts.marking.overview.page import overview_page
 from vrts.marking.result import Kind
 from vrts.marking.row import (
     Change,
@@ -104,6 +107,17 @@ def test_unsafe_marks_are_counted_and_come_first() -> None:
     assert f"unsafe: late: {UNTIMED}" in row_words(late_row(), "anna.v2")
     (told,) = after_marking(whole)
     assert told.headline == "2 of 3 marks are unsafe: `cem` (undetermined), `anna` (late)"
+
+
+def test_no_list_says_that_unknown_lateness_costs_nothing() -> None:
+    flagged = of(late_row(late=Lateness(0, "0", FLAGGED, review=True)))
+    (line,) = csv.DictReader(io.StringIO(marks_csv(flagged).decode("utf-8-sig")))
+    assert (line["deduction"], line["late"]) == ("", FLAGGED)
+    page = overview_page(flagged)
+    assert "costs nothing" not in page
+    assert f"<span>not known</span><small>{FLAGGED}</small>" in page
+    assert "1 unsafe mark: 1 late" in page
+    assert "Late and changed marks" not in overview_page(of(late_row()))
 
 
 def test_an_export_is_refused_in_one_sentence_and_says_what_to_do() -> None:

@@ -84,7 +84,7 @@ def _fields(row: Row, point: str, delimiter: str) -> Iterator[str]:
     yield text(row.handed_in.received or "")
     yield result.kind.value
     yield number(result.exact_mark, 1)
-    yield number(None if late is None else Fraction(late.deduction))
+    yield number(None if late is None or late.review else Fraction(late.deduction))
     yield number(None if change is None else Fraction(change.delta))
     yield number(row.exact_final, 1)
     yield text("; ".join(f"{doubt.reason.value}: {doubt.sentence}" for doubt in row.unsafe))

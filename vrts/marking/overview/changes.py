@@ -54,6 +54,8 @@ def _row(row: Row, *, pages: bool) -> Markup:
 def _late(late: Lateness | None) -> tuple[str | Markup, ...]:
     if late is None:
         return (NONE,)
+    if late.review:
+        return (element("span", "not known"), element("small", one_line(late.sentence)))
     deduction = Fraction(late.deduction)
     cost = element("b", signed(-deduction)) if deduction else element("span", "costs nothing")
     return (cost, element("small", one_line(late.sentence)))
