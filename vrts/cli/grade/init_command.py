@@ -14,7 +14,7 @@ Examples:
 
 \b
 Wheels for an image without network:
-  pip download --dest wheels vrts-0.1.0-py3-none-any.whl --python-version 3.11 \\
+  pip download --dest wheels dist/vrts-0.1.0-py3-none-any.whl --python-version 3.11 \\
     --only-binary :all:
 """
 
@@ -39,7 +39,7 @@ def command() -> None:
     "places",
     multiple=True,
     metavar="FILE|FOLDER",
-    help="Wheels to pack: vrts and what it needs; without it from the package index.",
+    help="Wheels to pack: vrts and what it needs; without it vrts as it is here.",
 )
 @color_option
 @guarded
@@ -47,9 +47,12 @@ def gradescope(task: Path, target: Path, places: tuple[Path, ...], color: str) -
     """Write a zip that Gradescope takes as an autograder of TASK.
 
     TASK is the folder of a task, or its zip for the staff. The hidden part is packed, too. The zip
-    holds setup.sh, which installs this version of vrts, and run_autograder, which marks one
+    holds a wheel of this vrts, setup.sh, which installs it, and run_autograder, which marks one
     submission and writes results/results.json: hidden checks as hidden tests, and the total when
     marks are published. If marking does not end in nine minutes, the result says so.
+
+    vrts never comes from a package index, where anybody could take its name. What it needs does,
+    unless you give all of it with --wheels.
     """
     del color
     from vrts.marking.exports.autograders.autograder_zip import (
@@ -61,5 +64,5 @@ def gradescope(task: Path, target: Path, places: tuple[Path, ...], color: str) -
     wheels = read_wheels(places)
     write_file(target, autograder_zip(staff_task(task), wheels))
     say(f"wrote {target}")
-    if not wheels:
-        say("note: without `--wheels` the image gets vrts from the package index")
+    if not places:
+        say("note: without `--wheels` the image gets what vrts needs from the package index")

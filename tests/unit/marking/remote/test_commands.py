@@ -88,6 +88,7 @@ def test_plan_run_merge_and_lists(lab: Path) -> None:
     assert sorted(marks.values()) == [0.0, 0.0, 4.5, 6.0]
 
 
+@pytest.mark.thorough
 def test_a_merged_class_has_its_lateness_and_its_changes_by_hand(lab: Path) -> None:
     """They come from what stayed at home: the download may be gone by then."""
     with (lab / "lab" / "task.toml").open("a") as file:

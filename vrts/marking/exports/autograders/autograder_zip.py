@@ -11,6 +11,7 @@ from vrts.assignments.packed import is_packed
 from vrts.assignments.task_folder import read_folder
 from vrts.base.diagnostic import Rule, error
 from vrts.base.zips import packed
+from vrts.marking.exports.autograders.own_wheel import NAME, own_wheel
 from vrts.pipeline.files import CannotRead, read_bytes
 from vrts.pipeline.refused import Refused
 from vrts.pipeline.settings import load_task
@@ -29,7 +30,7 @@ def autograder_zip(task: bytes, wheels: Mapping[str, bytes]) -> bytes:
 
     Args:
         task: The zip of the task for the staff.
-        wheels: By name; without any, vrts comes from the package index.
+        wheels: By name: that of vrts, and of what it needs as far as it is there.
     """
     home = files("vrts.marking.exports.autograders.autograder")
     members = {name: home.joinpath(name).read_bytes() for name in SCRIPTS}
@@ -67,11 +68,14 @@ def staff_task(path: Path) -> bytes:
 
 
 def read_wheels(places: tuple[Path, ...]) -> dict[str, bytes]:
-    """Return wheels by name: of files, and of all in folders.
+    """Return wheels by name: of files, and of all in folders; without any, that of vrts made here.
 
     Raises:
         CannotRead: A file is no wheel, there are none, or they are too large.
+        Refused: There are none, and that of vrts cannot be made.
     """
+    if not places:
+        return {NAME: own_wheel()}
     found: dict[str, bytes] = {}
     for place in places:
         wheels = sorted(place.glob("*.whl")) if place.is_dir() else [place]
@@ -83,7 +87,7 @@ def read_wheels(places: tuple[Path, ...]) -> dict[str, bytes]:
             found[wheel.name] = read_bytes(wheel)
     if sum(map(len, found.values())) > LARGEST_WHEELS:
         raise CannotRead(f"the wheels have more than {LARGEST_WHEELS:,} bytes in all")
-    if found and not any(name.startswith(f"vrts-{__version__}-") for name in found):
+    if not any(name.startswith(f"vrts-{__version__}-") for name in found):
         raise CannotRead(
             f"the wheel of vrts {__version__} is not among the wheels",
             ("build it with `python -m build --wheel`, or leave the wheels out",),

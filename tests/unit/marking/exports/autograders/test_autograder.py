@@ -1,14 +1,17 @@
 """The autograder for Gradescope: its zip unpacked, its script run by a real shell."""
 
+import io
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
 import time
 import zipfile
+from importlib.metadata import PackageNotFoundError
 from pathlib import Path
-from typing import Any
+from typing import Any, NoReturn
 
 import jsonschema
 import pytest
@@ -20,10 +23,19 @@ from vrts import __version__
 from vrts.assignments.pack import read_zip, student_zip
 from vrts.assignments.task_folder import read_folder
 from vrts.cli.grade import init_command
+from vrts.marking.exports.autograders import own_wheel as own_wheel_module
 from vrts.marking.exports.autograders.autograder_zip import MODE, autograder_zip, staff_task
+from vrts.marking.exports.autograders.own_wheel import NAME, own_wheel
 
 EXAMPLE = ROOT / "examples" / "01-cans-on-bases"
 SCHEMA = json.loads((DATA / "exports" / "gradescope-results.schema.json").read_text("utf-8"))
+
+WHERE = """
+import vrts, vrts.cli.main
+from vrts.pipeline.files import find_example
+print(vrts.__file__)
+print(find_example("01-cans-on-bases"))
+"""
 
 
 def init(*words: object) -> tuple[int, str]:
@@ -39,9 +51,30 @@ radius_mm = 43
 """
 
 
+def stand_in(folder: Path, says: str, build: str = "") -> Path:
+    """Write a wheel of the name and version of vrts, which needs nothing and says who it is."""
+    folder.mkdir()
+    name = f"vrts-{__version__}"
+    target = folder / f"{name}{build}-py3-none-any.whl"
+    info = f"{name}.dist-info"
+    with zipfile.ZipFile(target, "w") as wheel:
+        wheel.writestr("vrts_stand_in.py", f"def main():\n    print({says!r})\n")
+        wheel.writestr(
+            f"{info}/METADATA", f"Metadata-Version: 2.1\nName: vrts\nVersion: {__version__}\n"
+        )
+        wheel.writestr(
+            f"{info}/WHEEL",
+            "Wheel-Version: 1.0\nGenerator: test\nRoot-Is-Purelib: true\nTag: py3-none-any\n",
+        )
+        wheel.writestr(f"{info}/entry_points.txt", "[console_scripts]\nvrts = vrts_stand_in:main\n")
+        wheel.writestr(f"{info}/RECORD", "")
+    return target
+
+
 def unpacked(task: Path, home: Path) -> Path:
     """Return a folder like /autograder: the zip unpacked, and vrts of this very checkout."""
-    status, said = init("gradescope", task, "-o", home / "a.zip")
+    wheels = stand_in(home / "wheels", "ours").parent  # to pack vrts itself takes longer
+    status, said = init("gradescope", task, "--wheels", wheels, "-o", home / "a.zip")
     assert status == 0, said
     root = home / "autograder"
     with zipfile.ZipFile(home / "a.zip") as archive:
@@ -146,39 +179,115 @@ def test_a_time_out_ends_with_a_result(root: Path) -> None:
     assert "could not be marked" in found["output"]
 
 
+def set_up(home: Path, **environment: str) -> "subprocess.CompletedProcess[str]":
+    """Run setup.sh with real pip."""
+    path = f"{Path(sys.executable).parent}:{os.environ['PATH']}"
+    return subprocess.run(
+        ["bash", home / "source" / "setup.sh"],
+        env={"PATH": path, "AUTOGRADER_ROOT": str(home), **environment},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+
 @pytest.mark.thorough
-def test_wheels_go_in_and_setup_installs_the_pinned_version(tmp_path: Path) -> None:
-    """A stand-in of vrts and of pip's index: a wheel, installed without network by real pip."""
-    wheels = tmp_path / "wheels"
-    wheels.mkdir()
-    name = f"vrts-{__version__}"
-    with zipfile.ZipFile(wheels / f"{name}-py3-none-any.whl", "w") as wheel:
-        info = f"{name}.dist-info"
-        wheel.writestr("vrts_stand_in.py", f"def main():\n    print('vrts {__version__}')\n")
-        wheel.writestr(
-            f"{info}/METADATA", f"Metadata-Version: 2.1\nName: vrts\nVersion: {__version__}\n"
-        )
-        wheel.writestr(
-            f"{info}/WHEEL",
-            "Wheel-Version: 1.0\nGenerator: test\nRoot-Is-Purelib: true\nTag: py3-none-any\n",
-        )
-        wheel.writestr(f"{info}/entry_points.txt", "[console_scripts]\nvrts = vrts_stand_in:main\n")
-        wheel.writestr(f"{info}/RECORD", "")
+def test_setup_installs_the_wheel_of_the_zip_and_no_strangers(tmp_path: Path) -> None:
+    """Stand-ins, without network: pip would take the stranger's if it were asked for the name."""
+    ours = stand_in(tmp_path / "wheels", "ours")
+    stranger = stand_in(tmp_path / "index", "a stranger's", build="-9")
     target = tmp_path / "a.zip"
-    status, said = init("gradescope", EXAMPLE, "--wheels", wheels, "-o", target)
+    status, said = init("gradescope", EXAMPLE, "--wheels", ours.parent, "-o", target)
     assert status == 0, said
     home = tmp_path / "autograder"
     with zipfile.ZipFile(target) as archive:
         archive.extractall(home / "source")
-    path = f"{Path(sys.executable).parent}:{os.environ['PATH']}"
+    done = set_up(home, PIP_NO_INDEX="1", PIP_FIND_LINKS=str(stranger.parent))
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.splitlines()[-1] == "ours"
+
+
+def test_setup_ends_where_the_wheel_is_missing(tmp_path: Path) -> None:
+    (tmp_path / "source").mkdir()
+    data = autograder_zip(staff_task(EXAMPLE), {})
+    with zipfile.ZipFile(io.BytesIO(data)) as archive:
+        archive.extractall(tmp_path / "source")
+    done = set_up(tmp_path)
+    assert done.returncode == 1
+    assert "the wheel of vrts is not in this zip" in done.stderr
+    assert not (tmp_path / "vrts").exists()
+
+
+def test_no_script_asks_an_index_for_vrts(tmp_path: Path) -> None:
+    """Not by name: after `install` stand options and the wheel's file."""
+    with zipfile.ZipFile(io.BytesIO(autograder_zip(staff_task(EXAMPLE), {}))) as archive:
+        texts = [archive.read(name).decode() for name in ("setup.sh", "run_autograder")]
+    installs = re.findall(r"pip\S* install (.*)", "".join(texts))
+    assert installs == [
+        '--no-index --find-links "$wheels" "$wheel" ||',
+        '--find-links "$wheels" "$wheel"',
+    ]
+
+
+def test_a_wheel_of_what_runs_here_goes_in(tmp_path: Path) -> None:
+    target = tmp_path / "a.zip"
+    status, said = init("gradescope", EXAMPLE, "-o", target)
+    assert status == 0, said
+    with zipfile.ZipFile(target) as archive:
+        (name,) = [name for name in archive.namelist() if name.startswith("wheels/")]
+        data = archive.read(name)
+    assert name == f"wheels/vrts-{__version__}-py3-none-any.whl"
+    site = tmp_path / "site"
+    with zipfile.ZipFile(io.BytesIO(data)) as wheel:
+        wheel.extractall(site)
+        record = wheel.read(f"vrts-{__version__}.dist-info/RECORD").decode().splitlines()
+        assert {line.split(",")[0] for line in record} == set(wheel.namelist())
+    assert not list(site.rglob("__pycache__"))
     done = subprocess.run(
-        ["bash", home / "source" / "setup.sh"],
-        env={"PATH": path, "AUTOGRADER_ROOT": str(home), "PIP_NO_INDEX": "1"},
+        [sys.executable, "-c", WHERE],
+        cwd=tmp_path,
+        env={"PATH": os.environ["PATH"], "PYTHONPATH": str(site), "PYTHONDONTWRITEBYTECODE": "1"},
         capture_output=True,
+        text=True,
         check=False,
     )
-    assert done.returncode == 0, done.stderr.decode()
-    assert done.stdout.decode().rstrip().endswith(f"vrts {__version__}")
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.splitlines() == [
+        str(site / "vrts" / "__init__.py"),
+        str(site / "vrts" / "library" / "examples" / "01-cans-on-bases"),
+    ]
+
+
+@pytest.mark.thorough
+def test_pip_takes_the_wheel_that_was_made(tmp_path: Path) -> None:
+    place = tmp_path / NAME
+    place.write_bytes(own_wheel())
+    pip = [sys.executable, "-m", "pip", "install", "-q", "--no-index", "--no-deps", "--no-compile"]
+    subprocess.run([*pip, "--target", tmp_path / "site", place], check=True)
+    assert (tmp_path / "site" / "bin" / "vrts").is_file()
+    check = "from importlib.metadata import distribution as d; print(d('vrts').version)"
+    told = subprocess.run(
+        [sys.executable, "-c", check],
+        env={"PYTHONPATH": str(tmp_path / "site")},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert told.stdout.strip() == __version__
+
+
+def test_where_no_wheel_can_be_made_nothing_is_written(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def missing(name: str) -> NoReturn:
+        raise PackageNotFoundError(name)
+
+    monkeypatch.setattr(own_wheel_module, "distribution", missing)
+    status, said = init("gradescope", EXAMPLE, "-o", tmp_path / "a.zip")
+    assert status == 1
+    assert "error[V755 no-wheel-of-vrts]: no wheel of vrts can be made" in said
+    assert "--wheels dist" in said
+    assert not (tmp_path / "a.zip").exists()
 
 
 def test_wheels_without_vrts_are_refused(tmp_path: Path) -> None:
