@@ -67,12 +67,13 @@ def command(
     from vrts.marking.class_files import begin_class
     from vrts.marking.layout import Layout
     from vrts.marking.privacy.pseudonyms import require_names
-    from vrts.marking.remote.merge import merge
+    from vrts.marking.remote.merge import merge, require_secret
     from vrts.marking.remote.plan import read_key
 
     require_folder(folder)
     require_names(Layout(folder))
     key = read_key(plan)
+    require_secret(key, unsigned=unsigned)
     about = _about(key)
     if not (Layout(folder).staff / NAME).exists():
         begin_class(about, Layout(folder))

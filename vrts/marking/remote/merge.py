@@ -71,8 +71,7 @@ def merge(key: Key, sources: Sequence[Path], layout: Layout, *, unsigned: bool =
         CannotRead: A file cannot be read.
         Refused: The plan is one of before, and its results are not to be taken.
     """
-    if key.secret is None and not unsigned:
-        raise _unsigned()
+    require_secret(key, unsigned=unsigned)
     remove_unused(layout.staging)
     for other in key.others:
         _write(other.marks, other.files, layout)
@@ -253,13 +252,20 @@ def _changed(marked: MarkedShard, sent: Sent) -> Refused:
     return Refused((error(CHANGED, headline, notes=(note,), help=(_again(sent),)),))
 
 
-def _unsigned() -> Refused:
+def require_secret(key: Key, *, unsigned: bool) -> None:
+    """Require that a plan signs its results, or that they are to be taken as they are.
+
+    Raises:
+        Refused: It is a plan of before.
+    """
+    if key.secret is not None or unsigned:
+        return
     headline = "the plan is of an earlier vrts: nothing shows whether its results were changed"
     remedies = (
         "plan again with `vrts grade plan --overwrite`, and run the shards again",
         "or take them as they are, with `vrts grade merge --unsigned`",
     )
-    return Refused((error(UNSIGNED, headline, help=remedies),))
+    raise Refused((error(UNSIGNED, headline, help=remedies),))
 
 
 def _unfit(marked: MarkedShard, sent: Sent, why: str) -> Diagnostic:
