@@ -6,6 +6,7 @@ code is shown, not said, and is left out.
 """
 
 import re
+from bisect import bisect_right
 from collections.abc import Iterator
 from fractions import Fraction
 from typing import NamedTuple
@@ -32,18 +33,23 @@ _UNITS = {
     "punkt": ("points", Fraction(1)),
 }
 _VALUE = (
-    r"(\d{1,6}(?:[.,]\d{1,6})?)\s?"
+    r"(\d{1,6}(?:[.,]\d{1,6})?)[\s-]?"
     r"(mm|cm|millimet(?:re|er)s?n?|deg(?:rees?)?|°|grad|s|sec|seconds?|sekunden?|points?|punkten?|"
     r"punkte)(?![\w/²])"
 )
-_CUE = (
-    r"(?:\b(?:within|tolerances?(?:\s(?:of|is))?|accuracy\sof|accurate\sto|precise\sto|at\smost|"
-    r"(?:no|not)\s(?:more|longer|farther|further)\sthan|out\sof|innerhalb(?:\svon)?|auf|"
-    r"höchstens|maximal|toleranz(?:\svon)?|genauigkeit\svon|nicht\s(?:mehr|länger)\sals)|±|\+/-)"
+_BEFORE = (
+    r"(?:\b(?:within(?:\sa\sradius\sof)?|tolerances?(?:\s(?:of|is)|\s?[:=])?|accuracy\sof|"
+    r"accurate\sto|precise\sto|at\smost|(?:no|not)\s(?:more|longer|farther|further)\sthan|out\sof|"
+    r"innerhalb(?:\svon)?|im\sumkreis\svon|höchstens|maximal|toleranz(?:\svon|\s?[:=])?|"
+    r"genauigkeit\svon|nicht\s(?:mehr|länger)\sals)|±|\+/-)"
+    r"\s*(?:(?:about|circa|ca\.|etwa)\s)?[*_]{0,2}"
 )
-_PHRASE = re.compile(rf"{_CUE}\s*{_VALUE}(?:\s*(?:,|and|or|und|oder)\s*{_VALUE})?", re.IGNORECASE)
-_EXACT = re.compile(r"\s*genau\b", re.IGNORECASE)  # "auf 3 mm genau"
-_FENCE = re.compile(r"^(```+|~~~+).*?^\1[ \t]*$", re.MULTILINE | re.DOTALL)
+_AFTER = r"(?=[*_]{0,2}\s(?:tolerance|accuracy|or\sless|at\smost|toleranz|oder\sweniger|genau\b))"
+_PHRASE = re.compile(
+    rf"{_BEFORE}{_VALUE}(?:\s*(?:,|and|or|und|oder)\s*{_VALUE})?|\b{_VALUE}{_AFTER}", re.IGNORECASE
+)
+_GROUPS = (1, 3, 5)  # numbers; behind each is its unit
+_FENCE = re.compile(r"^ {0,3}(`{3,}|~{3,})([^\n]*)$", re.MULTILINE)
 
 
 class Said(NamedTuple):
@@ -59,9 +65,7 @@ class Said(NamedTuple):
 def said(text: str) -> Iterator[Said]:
     """Yield every tolerance that words name."""
     for found in _PHRASE.finditer(text):
-        if found[0][:3].casefold() == "auf" and not _EXACT.match(text, found.end()):
-            continue
-        for group in (1, 3):
+        for group in _GROUPS:
             if found[group] is None:
                 continue
             unit, by = _unit(found[group + 1].casefold())
@@ -87,11 +91,12 @@ def contradictions(
     true: dict[str, set[Fraction]] = {}
     for one in said(words):
         true.setdefault(one.unit, set()).add(one.value)
-    skipped = [found.span() for found in _FENCE.finditer(source.text)]
-    skipped += [without] if without is not None else []
+    fences = _fences(source.text)
     for one in said(source.text):
-        if any(start <= one.start < end for start, end in skipped):
+        if without is not None and without[0] <= one.start < without[1]:
             continue
+        if bisect_right(fences, one.start) % 2:
+            continue  # in a block of code
         known = true.get(one.unit, set())
         if any(abs(one.value - value) <= one.slack for value in known):
             continue
@@ -104,6 +109,21 @@ def contradictions(
             Label(Span(source, one.start, one.end)),
             help=("write what the task says, or leave the number to the part written from it",),
         )
+
+
+def _fences(text: str) -> list[int]:
+    """Return where blocks of code begin and end, in turn; one that does not end goes to the end."""
+    found: list[int] = []
+    mark = ""
+    for fence in _FENCE.finditer(text):
+        if not mark:
+            mark = fence[1]
+        elif not fence[1].startswith(mark) or fence[2].strip():
+            continue  # inside the block
+        else:
+            mark = ""
+        found.append(fence.start())
+    return found
 
 
 def _unit(word: str) -> tuple[str, Fraction]:

@@ -181,6 +181,16 @@ def test_markers_that_are_not_sound_are_refused(folder: Path, text: str) -> None
         readme_to_hand_out(folder, load_task(folder))
 
 
+def test_a_readme_of_before_has_no_part_and_gets_one(folder: Path) -> None:
+    (folder / "README.md").write_text("# Lab\n")
+    assert codes(folder) == [("V684", 0)]
+    handed = readme_to_hand_out(folder, load_task(folder)).decode()
+    assert handed.startswith(f"# Lab\n\n{BEGIN}\n\n## What counts\n")
+    (folder / "README.md").unlink()
+    assert codes(folder) == []
+    assert readme_to_hand_out(folder, load_task(folder)).decode().startswith("# Cans on bases\n")
+
+
 def test_a_readme_that_is_no_text_is_refused(folder: Path) -> None:
     (folder / "README.md").write_bytes("Übung".encode("latin-1"))
     with pytest.raises(CannotRead, match="not UTF-8"):
@@ -201,7 +211,11 @@ TRUE = "out of 20 points; within 3 mm and 5 degrees; no longer than 13.25 s"
         ("no longer than 13.3 s", []),
         ("out of 10 points, at most 4 points are lost", ["10 points"]),
         ("a tolerance of ± 5°", []),
+        ("~~~\n```\nwithin 10 mm\n~~~\nwithin 9 mm\n```\nwithin 8 mm", ["9 mm"]),
         ("± 6°", ["6°"]),
+        ("within **10 mm**, within about 9 mm, tolerance: 8 mm", ["10 mm", "9 mm", "8 mm"]),
+        ("a 10-mm tolerance, 9 mm or less, 3 mm at most", ["10-mm", "9 mm"]),
+        ("im Umkreis von 10 Millimetern, within\n4 mm", ["10 Millimetern", "4 mm"]),
         ("The hand opens 80 mm. Go down 10 mm, auf 10 mm Höhe, at 10 mm/s, within 14 days.", []),
         ("```\nwithin 10 mm\n```\nwithin 9 mm", ["9 mm"]),
     ],
