@@ -32,7 +32,7 @@ class Points(click.ParamType[Fraction]):
         self, value: object, param: click.Parameter | None, ctx: click.Context | None
     ) -> Fraction:
         """Return the number."""
-        from vrts.marking.exports.numbers import Doubtful, read_number
+        from vrts.base.written_numbers import Doubtful, read_number
 
         try:
             read_number(str(value))

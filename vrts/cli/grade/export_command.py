@@ -191,7 +191,7 @@ def export(
 
 def _full_marks(text: str | None) -> Fraction | None:
     """Return what full marks are worth, exactly; a comma will do."""
-    from vrts.marking.exports.numbers import Doubtful, read_number
+    from vrts.base.written_numbers import Doubtful, read_number
 
     if text is None:
         return None

@@ -10,9 +10,9 @@ from hypothesis import given as of_any
 
 from tests.support_exports import HOSTILE, given, hostile, row, rows
 from vrts.base.source import SourceFile
+from vrts.base.written_numbers import parsed
 from vrts.marking.exports.given import Options
 from vrts.marking.exports.marks_table import COLUMNS, marks_csv, marks_table
-from vrts.marking.exports.numbers import parsed
 from vrts.marking.intake.tables.table_text import table
 from vrts.marking.row import Change, Class, Lateness, Row, unsafe_first
 

@@ -5,7 +5,8 @@ from fractions import Fraction
 import pytest
 
 from tests.support_exports import row
-from vrts.marking.exports.numbers import decimal, number, parsed, points
+from vrts.base.written_numbers import parsed
+from vrts.marking.exports.numbers import decimal, number, points
 from vrts.marking.exports.steps import steps
 from vrts.marking.row import Change, Lateness
 

@@ -4,13 +4,13 @@ import re
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from vrts.base.written_numbers import parsed, tells
 from vrts.marking.exports.given import Given, Options, Product
 from vrts.marking.exports.grade_books.decimal_sign import full_marks, refuse_comma, sign_of
 from vrts.marking.exports.grade_books.filled import Column, Slot, fill
 from vrts.marking.exports.grade_books.matching import Line
 from vrts.marking.exports.grade_books.refusals import file_of, no_column, no_file, no_points
 from vrts.marking.exports.grade_books.sheet import Sheet, read_sheet
-from vrts.marking.exports.numbers import parsed, tells
 from vrts.marking.intake.row import Platform, plain_id
 
 NAME = "canvas-gradebook.csv"

@@ -8,8 +8,9 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from vrts.base.diagnostic import Rule, error
+from vrts.base.written_numbers import Doubtful, parsed, read_number, tells
 from vrts.marking.exports.given import Options
-from vrts.marking.exports.numbers import Doubtful, decimal, parsed, read_number, tells
+from vrts.marking.exports.numbers import decimal
 from vrts.pipeline.refused import Refused
 
 AMBIGUOUS = Rule("V757", "ambiguous-number")

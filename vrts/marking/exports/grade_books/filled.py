@@ -6,11 +6,12 @@ from typing import NamedTuple
 
 from vrts.base.diagnostic import Diagnostic, Rule, warning
 from vrts.base.safe_names import safe
+from vrts.base.written_numbers import parsed
 from vrts.marking.exports.feedback import FINAL, feedback_html
 from vrts.marking.exports.given import Given, Options, Product, Returned
 from vrts.marking.exports.grade_books.matching import Line, match
 from vrts.marking.exports.grade_books.sheet import Sheet
-from vrts.marking.exports.numbers import decimal, parsed
+from vrts.marking.exports.numbers import decimal
 from vrts.marking.row import Row
 from vrts.report.plain import one_line
 

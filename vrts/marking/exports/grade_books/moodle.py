@@ -8,6 +8,7 @@ import re
 from collections.abc import Sequence
 from fractions import Fraction
 
+from vrts.base.written_numbers import parsed
 from vrts.marking.exports.given import Given, Options, Product
 from vrts.marking.exports.grade_books.decimal_sign import Sign, decimals, full_marks, sign_of
 from vrts.marking.exports.grade_books.filled import Column, Slot, fill
@@ -15,7 +16,6 @@ from vrts.marking.exports.grade_books.matching import Line
 from vrts.marking.exports.grade_books.moodle_titles import COMMENTS, FULL_NAME, GRADE, KNOWN, NO
 from vrts.marking.exports.grade_books.refusals import file_of, no_column, no_file, no_points
 from vrts.marking.exports.grade_books.sheet import Sheet, read_sheet
-from vrts.marking.exports.numbers import parsed
 from vrts.marking.intake.row import Platform
 
 NAME = "moodle-worksheet.csv"

@@ -7,9 +7,9 @@ import pytest
 from hypothesis import given as of_any
 
 from tests.support_exports import HOSTILE, given, hostile, row, rows
+from vrts.base.written_numbers import parsed
 from vrts.marking.exports.given import Given, Options, Page, Product
 from vrts.marking.exports.grade_books.canvas import canvas
-from vrts.marking.exports.numbers import parsed
 from vrts.marking.result import Kind
 from vrts.marking.row import Row, Student
 from vrts.pipeline.refused import Refused

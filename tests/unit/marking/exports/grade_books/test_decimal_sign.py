@@ -5,11 +5,11 @@ from fractions import Fraction
 import pytest
 
 from tests.support_exports import given, row
+from vrts.base.written_numbers import Doubtful, parsed, read_number, tells
 from vrts.marking.exports.given import Options, Page
 from vrts.marking.exports.grade_books.canvas import canvas
 from vrts.marking.exports.grade_books.moodle import moodle
 from vrts.marking.exports.marks_table import marks_table
-from vrts.marking.exports.numbers import Doubtful, parsed, read_number, tells
 from vrts.marking.row import Row, Student
 from vrts.pipeline.refused import Refused
 
