@@ -192,10 +192,10 @@ def above_middle(scene: Scene) -> Vector:
     return (0.0, 0.0, 0.0) if place is None else place.translation
 
 
-def new_readme(name: str, task: Task) -> str:
+def new_readme(name: str, task: Task, scene: Scene) -> str:
     """Return the page for students: how to begin, and what the public part of a task asks for."""
     page = README.format(title=one_line(task.title), name=name)
-    return written(page, task_words(task))
+    return written(page, task_words(task, scene))
 
 
 def quoted(text: str) -> str:

@@ -2,12 +2,14 @@
 
 from pathlib import Path
 
+from vrts.assignments.handed.facts import Fact, facts_of
 from vrts.assignments.handed.prose import contradictions
 from vrts.assignments.handed.readme import NAME, differences, marker_findings, part_of, written
 from vrts.assignments.handed.task_words import task_words
 from vrts.base.diagnostic import Diagnostic
 from vrts.base.source import SourceFile
 from vrts.base.toml.reading import read_toml
+from vrts.check.task.task import Task
 from vrts.pipeline.files import CannotRead, member_bytes, shown
 from vrts.pipeline.refused import Refused
 from vrts.pipeline.setting import Setting
@@ -31,12 +33,13 @@ def readme_to_hand_out(folder: Path, public: Setting) -> bytes:
     assert task is not None
     text = _text(folder / NAME)
     if text is None:
-        said = f"\n{task.description}\n" if task.description else ""
-        text = f"# {one_line(task.title)}\n{said}"
-    wrong = marker_findings(SourceFile(shown(folder / NAME), text.replace("\r\n", "\n")))
+        made = _made(folder, task)
+        wrong, text = marker_findings(made), made.text
+    else:
+        wrong = marker_findings(SourceFile(shown(folder / NAME), text.replace("\r\n", "\n")))
     if wrong:
         raise Refused(wrong)
-    return written(text, task_words(task)).encode()
+    return written(text, task_words(task, public.scene)).encode()
 
 
 def handed_findings(folder: Path, public: Setting) -> tuple[Diagnostic, ...]:
@@ -51,21 +54,28 @@ def handed_findings(folder: Path, public: Setting) -> tuple[Diagnostic, ...]:
     """
     task = public.task
     assert task is not None
-    words = task_words(task)
-    found = list(_of_description(public, words))
+    words, facts = task_words(task, public.scene), facts_of(task, public.scene)
+    found = list(_of_description(public, facts))
     text = _text(folder / NAME)
     if text is None:
-        return tuple(found)
+        return (*found, *marker_findings(_made(folder, task)))
     source = SourceFile(shown(folder / NAME), text.replace("\r\n", "\n"))
     wrong = marker_findings(source)
     if wrong:
         return (*found, *wrong)
     part = part_of(source.text)
     without = None if part is None else (part.start, part.end)
-    return (*found, *differences(source, words, folder), *contradictions(source, words, without))
+    return (*found, *differences(source, words, folder), *contradictions(source, facts, without))
 
 
-def _of_description(public: Setting, words: str) -> tuple[Diagnostic, ...]:
+def _made(folder: Path, task: Task) -> SourceFile:
+    """Return the page that is made where there is none, without the part that is written."""
+    said = f"\n{task.description}\n" if task.description else ""
+    name = f"{shown(folder / NAME)} (as made from `title` and `description`)"
+    return SourceFile(name, f"# {one_line(task.title)}\n{said}")
+
+
+def _of_description(public: Setting, facts: tuple[Fact, ...]) -> tuple[Diagnostic, ...]:
     source = public.sources.task
     top = None if source is None else read_toml(source)[0]
     section = None if top is None else top.table("task")
@@ -74,7 +84,7 @@ def _of_description(public: Setting, words: str) -> tuple[Diagnostic, ...]:
     span = section.value_span("description")
     blank = "".join("\n" if c == "\n" else " " for c in source.text[: span.start])
     inside = SourceFile(source.name, blank + source.text[span.start : span.end])
-    return tuple(contradictions(inside, words, within="the `description`"))
+    return tuple(contradictions(inside, facts, called="the `description`"))
 
 
 def _text(path: Path) -> str | None:

@@ -6,15 +6,19 @@ from fractions import Fraction
 from typing import TypeAlias
 
 from vrts.assignments.handed.demand_words import demand_words
-from vrts.assignments.handed.words import box, number, place, points, title
+from vrts.assignments.handed.words import box, number, place, points, title, turn
 from vrts.base.units import deg, mm
+from vrts.check.goals.placed import counted
 from vrts.check.rules.hints import Hints
 from vrts.check.rules.scheme import Contacts, MarkScheme
 from vrts.check.rules.settings import FULL_ACCELERATION
-from vrts.check.task.goals import Goal, Looks, Relation, Stands
+from vrts.check.task.demands import Keeps
+from vrts.check.task.goals import Choice, Goal, Looks, Relation, Stands
 from vrts.check.task.late_rules import Keep, LateRules
 from vrts.check.task.score import divided
 from vrts.check.task.task import Task, ViaPoint
+from vrts.robots.kinematics.branch import has_branches
+from vrts.scene.model import Scene
 
 _Part: TypeAlias = tuple[str, str, Sequence[str]]  # heading, words before the lines, lines
 
@@ -27,13 +31,18 @@ TOLD = {
 }
 
 
-def task_words(task: Task) -> str:
-    """Return what counts in the public part of a task, as Markdown."""
+def task_words(task: Task, scene: Scene) -> str:
+    """Return what counts in the public part of a task, as Markdown.
+
+    Args:
+        task: Without its hidden part.
+        scene: That it is set in.
+    """
     scheme = task.mark
     for_goals, for_vias = divided(scheme, targets=bool(task.targets), vias=bool(task.vias))
     parts = [
-        ("## What counts", "", (f"The mark is out of {points(scheme.total)}.", *_program(task))),
-        _targets(task, for_goals),
+        ("## What counts", "", _first(task, scene)),
+        _targets(task, for_goals, scene),
         _vias(task, for_vias),
         ("### What a program must keep to", "", _bullets(demand_words(task))),
         ("### What costs points", "", _bullets(_costs(scheme))),
@@ -52,12 +61,26 @@ def _bullets(lines: Iterable[str]) -> tuple[str, ...]:
     return tuple(f"- {line}" for line in lines)
 
 
-def _program(task: Task) -> Iterator[str]:
+def _first(task: Task, scene: Scene) -> tuple[str, ...]:
+    said = [f"The mark is out of {points(task.mark.total)}."]
     if task.program is not None:
-        yield f"The program `{task.program}` of your file is executed."
+        said.append(f"The program `{task.program}` of your file is executed.")
+    zones = any(demand.keeps in (Keeps.TOOL_OUT, Keeps.ROBOT_OUT) for demand in task.demands)
+    if task.targets or task.vias or zones:
+        origin = "shoulder" if has_branches(scene.robot.arm) else "foot"
+        said.append(
+            f"X, Y and Z are in mm from the robot's {origin}: X forward, Y to the left, Z up."
+        )
+    if task.goals:
+        said.append("Those of an object are of the middle of its underside.")
+    if any(_shows_turns(goal, choice, scene) for goal in task.goals for choice in goal.choices):
+        said.append(
+            "Turns are counter-clockwise, seen from above; at 0 degrees an object is along X and Y."
+        )
+    return tuple(said)
 
 
-def _targets(task: Task, every: Fraction) -> _Part:
+def _targets(task: Task, every: Fraction, scene: Scene) -> _Part:
     heading = f"### What has to be done: {points(every)}"
     if not task.targets:
         ends = () if task.vias else ("- the program comes to its end",)
@@ -68,17 +91,15 @@ def _targets(task: Task, every: Fraction) -> _Part:
         f"earns\nall its points, then less, and nothing from {times} times that on."
     )
     total = sum((goal.weight for goal in task.targets), Fraction(0))
-    lines = (f"{_target(goal)}: {points(every * goal.weight / total)}" for goal in task.targets)
+    said = [_goal(goal, scene) for goal in task.goals] + [_relation(one) for one in task.relations]
+    worth = [points(every * target.weight / total) for target in task.targets]
+    lines = (f"{words}: {share}" for words, share in zip(said, worth, strict=True))
     return heading, intro, _bullets(lines)
 
 
-def _target(goal: Goal | Relation) -> str:
-    return _relation(goal) if isinstance(goal, Relation) else _goal(goal)
-
-
-def _goal(goal: Goal) -> str:
+def _goal(goal: Goal, scene: Scene) -> str:
     off, turned = mm(goal.position_tolerance), deg(goal.orientation_tolerance)
-    where = " or ".join(dict.fromkeys(place(choice.X_WG.translation) for choice in goal.choices))
+    where = " or ".join(dict.fromkeys(_where(goal, choice, scene) for choice in goal.choices))
     words = [f"{title(goal.title)} ({where}), within {number(off)} mm and {number(turned)} degrees"]
     if goal.looks is Looks.UPRIGHT:
         words.append("upside down is wrong, also where it looks the same")
@@ -91,6 +112,16 @@ def _goal(goal: Goal) -> str:
         lifted = f"lifted by {number(mm(phases.height))} mm"
         words.append(f"{_percent(phases.lifted)} of its points are for being {lifted}")
     return "; ".join(words)
+
+
+def _where(goal: Goal, choice: Choice, scene: Scene) -> str:
+    at = place(choice.X_WG.translation)
+    return f"{at}, {turn(choice.X_WG)}" if _shows_turns(goal, choice, scene) else at
+
+
+def _shows_turns(goal: Goal, choice: Choice, scene: Scene) -> bool:
+    """Return whether it can be seen how an object is turned about its own vertical."""
+    return counted(scene.body(choice.body), goal.looks).upright().axis is None
 
 
 def _percent(share: Fraction) -> str:

@@ -1,9 +1,10 @@
 """Numbers, places and titles as a page for students has them."""
 
+import math
 from fractions import Fraction
 
-from vrts.base.pose import Vector
-from vrts.base.units import mm
+from vrts.base.pose import Pose, Vector
+from vrts.base.units import deg, mm
 from vrts.report.plain import one_line
 
 DECIMALS = 4  # at most: of lengths [mm], angles [degrees], times [s]
@@ -25,6 +26,13 @@ def place(point: Vector) -> str:
     """Return a point of W, given in m."""
     x, y, z = (number(mm(value)) for value in point)
     return f"X {x}, Y {y}, Z {z}"
+
+
+def turn(X_WG: Pose) -> str:
+    """Return how an object is turned about the vertical: where its X points, seen from above."""
+    x, y, _ = X_WG.normal
+    text = number(deg(math.atan2(y, x)))
+    return f"turned by {'180' if text == '-180' else text} degrees"
 
 
 def box(lower: Vector, upper: Vector) -> str:

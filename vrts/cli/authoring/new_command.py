@@ -189,7 +189,7 @@ def task(name: Path, origin: str | None, title: str | None, color: str) -> None:
     _write(
         name,
         {
-            "README.md": new_readme(label, task).encode(),
+            "README.md": new_readme(label, task, setting.scene).encode(),
             "start.v2": started.encode(),
             f"{STAFF}/solution.v2": solution,
             f"{STAFF}/{TASK_FILE}": new_staff_task(scene.scene).encode(),

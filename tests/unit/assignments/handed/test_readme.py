@@ -3,12 +3,14 @@
 import re
 import shutil
 import zipfile
+from fractions import Fraction
 from pathlib import Path
 
 import pytest
 
 from tests.places import ROOT
 from tests.support_commands import vrts_text
+from vrts.assignments.handed.facts import Fact
 from vrts.assignments.handed.of_folder import handed_findings, readme_to_hand_out
 from vrts.assignments.handed.prose import contradictions, said
 from vrts.assignments.handed.readme import BEGIN, END, written
@@ -29,6 +31,11 @@ position_mm = 3
 orientation_deg = 2.5
 symmetry = "upright"
 lifted = 0.2
+[[goal]]
+object = "can2"
+on = "base1"
+turn_deg = 90
+symmetry = "none"
 [[relation]]
 object = "can2"
 left_of = "can1"
@@ -105,15 +112,20 @@ def test_every_number_of_a_task_is_told(folder: Path) -> None:
     (folder / "task.toml").write_text(f'[task]\nscene = "cans-on-bases"{ALL}')
     (folder / "staff").mkdir()
     (folder / "staff" / "task.toml").write_text(SECRET)
-    task = load_task(folder).task
-    assert task is not None
-    words = task_words(task)
+    setting = load_task(folder)
+    assert setting.task is not None
+    words = task_words(setting.task, setting.scene)
     for part in (
         "out of 7.5 points",
         "`main`",
         "within 3 mm and 2.5 degrees",
         "nothing from 4 times",
         "upside down",
+        "in mm from the robot's shoulder: X forward, Y to the left, Z up",
+        "of the middle of its underside",
+        "can1 on base2 (X 1100, Y 230, Z -200), within",
+        "can2 on base1 (X 950, Y -130, Z -150, turned by 90 degrees), within 10 mm",
+        "Turns are counter-clockwise",
         "20 %",
         "`can2` is left of `can1` by 40 mm or more, within 7 mm",
         "box X 800 to 1000, Y -100 to 100, Z -301 to -150, all or nothing",
@@ -140,8 +152,8 @@ def test_every_number_of_a_task_is_told(folder: Path) -> None:
     handed = readme_to_hand_out(folder, load_task(folder)).decode()
     for hidden in ("secret", "291", "901", "103"):
         assert hidden not in handed
-    given = [float(x) for x in re.findall(r": ([\d.]+) points?$", words, re.MULTILINE)][1:5]
-    assert sum(given[:3]) == pytest.approx(4.5, abs=0.01), words
+    given = [float(x) for x in re.findall(r": ([\d.]+) points?$", words, re.MULTILINE)][1:6]
+    assert sum(given[:4]) == pytest.approx(4.5, abs=0.01), words
 
 
 def test_each_line_that_differs_is_told_once_and_mended(folder: Path) -> None:
@@ -171,11 +183,47 @@ def test_a_readme_keeps_its_line_ends_and_gets_a_part_at_its_end() -> None:
     assert first == f"# A\r\n\r\n{BEGIN}\r\n\r\nw\r\n\r\n{END}\r\n"
     assert written(first, "w\n") == first
     assert written(first, "v\n") == first.replace("\nw\r", "\nv\r")
+    mixed = f"# A\r\n\nb\n\n{BEGIN}\n\nw\n\n{END}\nc\r\n"
+    assert written(mixed, "v\n") == mixed.replace("\nw\n", "\nv\n")
+    assert written("# A\r\n\nb\n", "w\n").startswith(f"# A\r\n\nb\n\n{BEGIN}\n\nw\n")
 
 
 @pytest.mark.parametrize("text", [BEGIN, END, f"{END}\n{BEGIN}", f"{BEGIN}\n{END}\n{BEGIN}\n{END}"])
 def test_markers_that_are_not_sound_are_refused(folder: Path, text: str) -> None:
     (folder / "README.md").write_text(f"# Lab\n{text}\n")
+    assert [code for code, _ in codes(folder)] == ["V685"]
+    with pytest.raises(Refused):
+        readme_to_hand_out(folder, load_task(folder))
+
+
+@pytest.mark.parametrize("code", ["```text\n{}\n```", "- an item\n\n  ~~~\n{}\n  ~~~"])
+def test_markers_in_a_block_of_code_are_shown_and_do_not_count(folder: Path, code: str) -> None:
+    shown = "# Lab\n\n" + code.format(f"{BEGIN}\nwithin 9 mm\n{END}") + "\n"
+    (folder / "README.md").write_text(shown)
+    assert codes(folder) == [("V684", 0)]
+    handed = readme_to_hand_out(folder, load_task(folder)).decode()
+    assert handed.startswith(f"{shown}\n{BEGIN}\n\n## What counts\n")
+    (folder / "README.md").write_text(handed)
+    assert codes(folder) == []
+    assert readme_to_hand_out(folder, load_task(folder)).decode() == handed
+
+
+@pytest.mark.parametrize(
+    "text", [f"1. a\n   {BEGIN}\n   {END}", f"  {BEGIN}\n{END}", f"```\n{BEGIN}\n{END}", "~~~"]
+)
+def test_a_part_that_would_be_inside_a_list_or_code_is_refused(folder: Path, text: str) -> None:
+    (folder / "README.md").write_text(f"# Lab\n\n{text}\n")
+    assert [code for code, _ in codes(folder)] == ["V685"]
+    with pytest.raises(Refused):
+        readme_to_hand_out(folder, load_task(folder))
+
+
+def test_a_description_with_a_marker_is_told_where_there_is_no_readme(folder: Path) -> None:
+    task = folder / "task.toml"
+    text = task.read_text().replace('description = """', f'description = """\n{BEGIN}')
+    assert BEGIN in text
+    task.write_text(text)
+    (folder / "README.md").unlink()
     assert [code for code, _ in codes(folder)] == ["V685"]
     with pytest.raises(Refused):
         readme_to_hand_out(folder, load_task(folder))
@@ -197,7 +245,14 @@ def test_a_readme_that_is_no_text_is_refused(folder: Path) -> None:
         handed_findings(folder, load_task(folder))
 
 
-TRUE = "out of 20 points; within 3 mm and 5 degrees; no longer than 13.25 s"
+TRUE = (
+    Fact("points", Fraction(20)),
+    Fact("mm", Fraction(3), ("can1", "base2")),
+    Fact("degrees", Fraction(5), ("can1", "base2")),
+    Fact("s", Fraction("13.25")),
+    Fact("s", Fraction("26.5")),
+)
+VIA = Fact("mm", Fraction(10), ("gap", "tool"))
 
 
 @pytest.mark.parametrize(
@@ -214,15 +269,51 @@ TRUE = "out of 20 points; within 3 mm and 5 degrees; no longer than 13.25 s"
         ("~~~\n```\nwithin 10 mm\n~~~\nwithin 9 mm\n```\nwithin 8 mm", ["9 mm"]),
         ("± 6°", ["6°"]),
         ("within **10 mm**, within about 9 mm, tolerance: 8 mm", ["10 mm", "9 mm", "8 mm"]),
-        ("a 10-mm tolerance, 9 mm or less, 3 mm at most", ["10-mm", "9 mm"]),
+        ("a 10-mm tolerance, 9 mm or less, 3 mm at most", ["10-mm"]),
         ("im Umkreis von 10 Millimetern, within\n4 mm", ["10 Millimetern", "4 mm"]),
         ("The hand opens 80 mm. Go down 10 mm, auf 10 mm Höhe, at 10 mm/s, within 14 days.", []),
         ("```\nwithin 10 mm\n```\nwithin 9 mm", ["9 mm"]),
+        ("A program that takes no longer than 26.5 s, or 27.5 s at most", ["27.5 s"]),
+        ("The hand opens at most 80 mm and closes within 0.5 s.", []),
+        ("It closes within 0.5 s. A program has to end within 14 s.", ["14 s"]),
+        ("stay at most 200 mm above the table; maximal 70 mm, no more than 60 mm", []),
+        ("everything lies within 1,000 mm or 1.500 mm of the robot; within 1,5 mm", ["1,5 mm"]),
+        ("```within 9 mm```, within 8 mm\n\n```a`\nwithin 7 mm", ["9 mm", "8 mm", "7 mm"]),
+        ("<!-- within 9 mm\n\nwithin 8 mm --> within 7 mm", ["7 mm"]),
+        ("So:\n\n    within 9 mm\n\n    within 8 mm\nwithin 7 mm", ["7 mm"]),
+        ("So\n    within 9 mm\n\n- an item\n\n    within 8 mm", ["9 mm", "8 mm"]),
+        ("````\n```\n    ````\nwithin 9 mm\n````\nwithin 8 mm", ["8 mm"]),
     ],
 )
 def test_words_of_a_teacher_are_held_against_the_task(text: str, told: list[str]) -> None:
     found = [d.primary for d in contradictions(SourceFile("README.md", text), TRUE)]
     assert [label.span.text for label in found if label is not None] == told
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("within 10 mm of the base", ["10 mm"]),
+        ("within 10 mm of base2; within 9 mm of it", ["10 mm", "9 mm"]),
+        ("The cans stand within 10 mm of their goals.", ["10 mm"]),
+        ("Put each **can** there, within 3 mm.", []),
+        ("within 10 mm of the gap. Pass within 3 mm of the gap.", ["3 mm"]),
+        ("The tool may carry the can, but passes within 10 mm of this point.", []),
+        ("You can be within 10 mm of it, or within 3 mm.", []),
+    ],
+)
+def test_a_number_is_held_against_what_its_sentence_names(text: str, told: list[str]) -> None:
+    found = [d.primary for d in contradictions(SourceFile("README.md", text), (*TRUE, VIA))]
+    assert [label.span.text for label in found if label is not None] == told
+
+
+def test_the_number_of_a_via_point_does_not_excuse_that_of_a_goal(folder: Path) -> None:
+    task = folder / "task.toml"
+    via = '[[via]]\nname = "gap"\nat_mm = [900, 0, 100]\nradius_mm = 10\n'
+    task.write_text(task.read_text().replace("position_mm = 10", "position_mm = 3") + via)
+    text = "# Lab\n\nA can counts within 10 mm of the base.\n\nIt passes the gap within 10 mm.\n"
+    (folder / "README.md").write_text(text)
+    assert codes(folder) == [("V684", 0), ("V686", 3)]
 
 
 def test_a_description_is_held_against_the_task_too(folder: Path) -> None:
