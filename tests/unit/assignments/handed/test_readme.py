@@ -312,6 +312,7 @@ def test_the_number_of_a_via_point_does_not_excuse_that_of_a_goal(folder: Path) 
     via = '[[via]]\nname = "gap"\nat_mm = [900, 0, 100]\nradius_mm = 10\n'
     task.write_text(task.read_text().replace("position_mm = 10", "position_mm = 3") + via)
     text = "# Lab\n\nA can counts within 10 mm of the base.\n\nIt passes the gap within 10 mm.\n"
+    text += "\nA program that takes no longer than 26.5 s counts, one of at most 13.25 s more.\n"
     (folder / "README.md").write_text(text)
     assert codes(folder) == [("V684", 0), ("V686", 3)]
 
