@@ -1,21 +1,26 @@
 """Folders for what processes are writing: each has a lock that ends with whoever uses it.
 
-Beside a folder `NAME` stands the file `NAME.lock`. The system lets go of the lock however a process
+Beside a folder `NAME` stands the file `NAME.lock`; names begin with the machine, since on a share a
+lock may tell nothing of others. The system lets go of the lock however a process
 ends, so the next marking can tell what nobody uses any more, and removes it. Processes that were
 forked have the lock, too: a folder is in use as long as one of them lives.
 """
 
+import hashlib
 import os
+import platform
 import secrets
 import shutil
 import sys
 from collections.abc import Generator
 from contextlib import contextmanager, suppress
+from functools import cache
 from pathlib import Path
 
 import psutil
 
 LOCK = ".lock"
+_MACHINE = Path("/etc/machine-id")
 
 
 @contextmanager
@@ -43,21 +48,31 @@ def staging_folder(home: Path) -> Generator[Path]:
 
 
 def remove_unused(home: Path) -> None:
-    """Remove the folders in a home that nobody uses: what was killed has left them."""
+    """Remove the folders in a home that nobody uses: what was killed here has left them."""
     if not home.is_dir():
         return
-    for lock in home.glob(f"*{LOCK}"):
-        with suppress(FileNotFoundError):  # whoever used it has just removed it
+    for lock in home.glob(f"{machine()}-*{LOCK}"):
+        # whoever used it has just removed it, or it is another user's, who may use it
+        with suppress(FileNotFoundError, PermissionError):
             _remove(lock)
     for folder in home.iterdir():  # an earlier vrts called them by its process, without a lock
         if folder.name.isdecimal() and not psutil.pid_exists(int(folder.name)):
             shutil.rmtree(folder, ignore_errors=True)
 
 
+@cache
+def machine() -> str:
+    """Return what tells this machine from others that write into the same share."""
+    number = ""
+    with suppress(OSError):  # only Linux has one
+        number = _MACHINE.read_text("utf-8", "replace")
+    return hashlib.sha256(f"{platform.node()}\n{number}".encode()).hexdigest()[:12]
+
+
 def _new_lock(home: Path) -> tuple[int, Path]:
     """Return a file that is new, locked where the file system knows locks."""
     while True:
-        lock = home / f"{os.getpid()}-{secrets.token_hex(4)}{LOCK}"
+        lock = home / f"{machine()}-{os.getpid()}-{secrets.token_hex(4)}{LOCK}"
         held = os.open(lock, os.O_RDWR | os.O_CREAT | os.O_EXCL, 0o600)
         taken = _locked(held)
         if taken is not False and _same(held, lock):

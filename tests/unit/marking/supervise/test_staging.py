@@ -1,6 +1,5 @@
 """Staging folders vanish with whoever used them, and never one that is in use."""
 
-import fcntl
 import os
 import signal
 import subprocess
@@ -9,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from vrts.marking.supervise import staging
 from vrts.marking.supervise.staging import remove_unused, staging_folder
 from vrts.marking.supervise.supervisor import CAN_FORK
 
@@ -72,6 +72,7 @@ def test_what_a_killed_process_left_vanishes_and_what_is_used_stays(tmp_path: Pa
 
 @needs_fork
 def test_a_folder_is_in_use_as_long_as_a_forked_process_lives(tmp_path: Path) -> None:
+    fcntl = pytest.importorskip("fcntl")  # Windows has none
     with holder(tmp_path, "fork") as parent:
         folder, child = told(parent)
         parent.kill()
@@ -83,6 +84,41 @@ def test_a_folder_is_in_use_as_long_as_a_forked_process_lives(tmp_path: Path) ->
             fcntl.flock(lock, fcntl.LOCK_EX)  # waits for the end of the child
     remove_unused(tmp_path)
     assert list(tmp_path.iterdir()) == []
+
+
+def left_by(home: Path, machine: str) -> Path:
+    """Write what a killed marking leaves on a machine."""
+    folder = home / f"{machine}-1-abcd"
+    folder.mkdir(parents=True)
+    folder.with_name(f"{folder.name}.lock").touch()
+    return folder
+
+
+def test_a_lock_of_another_user_stays_and_stops_nobody(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    theirs = left_by(tmp_path, staging.machine())
+    opened = os.open
+
+    def guarded(path: "str | Path", flags: int, mode: int = 0o777) -> int:
+        if Path(path).name == f"{theirs.name}.lock":
+            raise PermissionError(13, "Permission denied", str(path))
+        return opened(path, flags, mode)
+
+    monkeypatch.setattr(os, "open", guarded)
+    remove_unused(tmp_path)
+    assert theirs.is_dir()
+    monkeypatch.undo()
+    remove_unused(tmp_path)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_what_another_machine_of_a_share_writes_stays(tmp_path: Path) -> None:
+    far = left_by(tmp_path, "0123456789ab")
+    remove_unused(tmp_path)
+    assert far.is_dir()
+    with staging_folder(tmp_path) as own:
+        assert own.name.startswith(f"{staging.machine()}-")
 
 
 def test_folders_of_an_earlier_vrts_go_with_their_process(tmp_path: Path) -> None:
