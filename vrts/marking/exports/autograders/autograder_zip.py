@@ -20,6 +20,7 @@ PUBLIC_TASK = Rule("V750", "task-without-hidden-part")
 
 MODE = 0o755  # of members: two of them are scripts
 SCRIPTS = ("setup.sh", "run_autograder", "not-marked.json", "README.md")
+BUILD = "build that of vrts with `python -m build --wheel`"
 LARGEST_WHEELS = 400_000_000  # bytes in all
 
 _WHEEL = re.compile(r"[\w.]+-[\w.!+]+(-\d\w*)?-[\w.]+-[\w.]+-[\w.]+\.whl")
@@ -77,19 +78,24 @@ def read_wheels(places: tuple[Path, ...]) -> dict[str, bytes]:
     if not places:
         return {NAME: own_wheel()}
     found: dict[str, bytes] = {}
+    ours: list[str] = []
     for place in places:
         wheels = sorted(place.glob("*.whl")) if place.is_dir() else [place]
         if not wheels:
-            raise CannotRead(f"there is no wheel in `{place}`", ("fill it with `pip download`",))
+            raise CannotRead(f"there is no wheel in `{place}`", (BUILD,))
         for wheel in wheels:
             if not _WHEEL.fullmatch(wheel.name):
                 raise CannotRead(f"`{wheel.name}` is not the name of a wheel")
             found[wheel.name] = read_bytes(wheel)
+            if wheel.name.lower().startswith("vrts-"):
+                ours.append(str(wheel))
     if sum(map(len, found.values())) > LARGEST_WHEELS:
         raise CannotRead(f"the wheels have more than {LARGEST_WHEELS:,} bytes in all")
     if not any(name.startswith(f"vrts-{__version__}-") for name in found):
         raise CannotRead(
             f"the wheel of vrts {__version__} is not among the wheels",
-            ("build it with `python -m build --wheel`, or leave the wheels out",),
+            (BUILD, "or leave the wheels out"),
         )
+    if len(ours) > 1:
+        raise CannotRead(f"there are {len(ours)} wheels of vrts: {', '.join(ours)}")
     return found

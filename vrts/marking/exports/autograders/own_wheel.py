@@ -12,7 +12,13 @@ from pathlib import Path
 from vrts import __version__
 from vrts.base.diagnostic import Rule, error
 from vrts.base.zips import packed
-from vrts.pipeline.files import CHECKOUT, LIBRARY, PACKAGE
+from vrts.marking.exports.autograders.own_files import (
+    NoFiles,
+    checkout_files,
+    installed_files,
+    is_checkout,
+)
+from vrts.pipeline.files import CHECKOUT, PACKAGE
 from vrts.pipeline.refused import Refused
 
 NO_WHEEL = Rule("V755", "no-wheel-of-vrts")
@@ -21,8 +27,6 @@ NAME = f"vrts-{__version__}-py3-none-any.whl"
 MODE = 0o644  # of members
 _INFO = f"vrts-{__version__}.dist-info"
 _WHEEL = b"Wheel-Version: 1.0\nGenerator: vrts\nRoot-Is-Purelib: true\nTag: py3-none-any\n"
-_SHARED = ("scenes", "examples")  # beside the package in a checkout, within it in a wheel
-_MADE = frozenset(("__pycache__", ".pytest_cache"))
 
 
 def own_wheel() -> bytes:
@@ -38,10 +42,10 @@ def own_wheel() -> bytes:
     if installed.version != __version__:
         versions = f"vrts {__version__} runs here, and {installed.version} was installed"
         raise _refused(versions)
-    members = _files(PACKAGE, "vrts")
-    if not LIBRARY.is_dir():
-        for name in _SHARED:
-            members |= _files(CHECKOUT / name, f"{LIBRARY.relative_to(PACKAGE.parent)}/{name}")
+    try:
+        members = _files(installed)
+    except NoFiles as problem:
+        raise _refused(str(problem)) from problem
     members |= {
         f"{_INFO}/METADATA": _text(installed, "METADATA"),
         f"{_INFO}/entry_points.txt": _text(installed, "entry_points.txt"),
@@ -51,14 +55,14 @@ def own_wheel() -> bytes:
     return packed(members, MODE)
 
 
-def _files(home: Path, name: str) -> dict[str, bytes]:
-    """Return the files in a folder, by name in the wheel; what Python makes of them is not one."""
-    found: dict[str, bytes] = {}
-    for path in sorted(home.rglob("*")):
-        inner = path.relative_to(home)
-        if path.is_file() and not _MADE.intersection(inner.parts):
-            found[f"{name}/{inner.as_posix()}"] = path.read_bytes()
-    return found
+def _files(installed: Distribution) -> dict[str, bytes]:
+    """Return the files of the vrts that runs, if it is the one that is installed."""
+    place = Path(str(installed.locate_file("vrts/__init__.py")))
+    if place.is_file() and place.samefile(PACKAGE / "__init__.py"):
+        return installed_files(installed)
+    if is_checkout(installed, CHECKOUT):
+        return checkout_files(CHECKOUT)
+    raise NoFiles(f"vrts runs from `{CHECKOUT}`, and another one is installed")
 
 
 def _text(installed: Distribution, name: str) -> bytes:
