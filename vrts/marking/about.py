@@ -9,7 +9,7 @@ from typing import Literal
 
 import msgspec
 
-from vrts.marking.result import Damaged, Record
+from vrts.marking.result import Damaged, Record, decoded
 from vrts.marking.submission.one import Wanted
 from vrts.marking.submission.setting import Place
 
@@ -50,10 +50,7 @@ def from_bytes(data: bytes) -> About:
     Raises:
         Damaged: It is none.
     """
-    try:
-        about = msgspec.json.decode(data, type=About)
-    except msgspec.MsgspecError as problem:
-        raise Damaged(str(problem)) from problem
+    about = decoded(data, About)
     if about.finished is None and about.begun is None:
         raise Damaged("it does not tell when the marking was")
     return about

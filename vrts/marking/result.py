@@ -9,7 +9,7 @@ rounded by the shared rule; points exactly, as fractions, and as numbers.
 import hashlib
 from enum import Enum
 from fractions import Fraction
-from typing import Annotated, Literal
+from typing import Annotated, Literal, TypeVar
 
 import msgspec
 from msgspec import Meta, Struct
@@ -42,6 +42,8 @@ class Kind(Enum):
     EXCUSED = "excused"  # by the teacher
     FAULT = "fault"  # of vrts itself
 
+
+T = TypeVar("T")
 
 UNMARKED = frozenset({Kind.RESOURCE, Kind.AMBIGUOUS, Kind.MISSING, Kind.EXCUSED, Kind.FAULT})
 
@@ -224,12 +226,21 @@ def from_bytes(data: bytes) -> Result:
     """
     if len(data) > LARGEST:
         raise Damaged(f"a result of {len(data):,} bytes")
-    try:
-        found = msgspec.json.decode(data, type=Result)
-    except msgspec.MsgspecError as problem:
-        raise Damaged(str(problem)) from problem
+    found = decoded(data, Result)
     check_mark(found, found.mark)
     return found
+
+
+def decoded(data: bytes, kind: type[T]) -> T:
+    """Return what JSON from anywhere stands for.
+
+    Raises:
+        Damaged: It is nothing of this kind.
+    """
+    try:
+        return msgspec.json.decode(data, type=kind)
+    except (msgspec.MsgspecError, UnicodeDecodeError) as problem:  # text may have any bytes in it
+        raise Damaged(str(problem)) from problem
 
 
 def check_mark(result: Result, mark: float | None) -> None:

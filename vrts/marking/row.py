@@ -10,7 +10,7 @@ from msgspec import Meta, field
 
 from vrts.check.rules.scheme import TOTAL
 from vrts.check.task.score import to_tenth
-from vrts.marking.result import Damaged, Exact, Mark, Record, Result, check_mark
+from vrts.marking.result import Damaged, Exact, Mark, Record, Result, check_mark, decoded
 from vrts.marking.unsafe import Doubt, Reason, doubts
 
 CLASS_SCHEMA = "vrts.class/1"
@@ -168,10 +168,7 @@ def class_from_bytes(data: bytes) -> Class:
     """
     if len(data) > LARGEST:
         raise Damaged(f"rows of {len(data):,} bytes")
-    try:
-        found = msgspec.json.decode(data, type=Class)
-    except msgspec.MsgspecError as problem:
-        raise Damaged(str(problem)) from problem
+    found = decoded(data, Class)
     for row in found.rows:
         check_mark(row.result, row.result.mark)
         check_mark(row.result, row.final)

@@ -3,8 +3,6 @@
 from pathlib import Path
 from typing import BinaryIO
 
-import msgspec
-
 from vrts.base.safe_names import safe
 from vrts.base.zips import BadZip, Flaw, Unpacker
 from vrts.check.task.manifest import sha256
@@ -30,7 +28,7 @@ from vrts.marking.appeals.evidence import (
 )
 from vrts.marking.appeals.proof import PROOF
 from vrts.marking.layout import LOST, RESULT
-from vrts.marking.result import Damaged, Result, from_bytes
+from vrts.marking.result import Damaged, Result, decoded, from_bytes
 from vrts.marking.row import Row
 from vrts.marking.submission.report_files import FAULT, RECORDING, REPORT
 from vrts.pipeline.files import CannotRead
@@ -110,8 +108,8 @@ def _evidence(files: dict[str, bytes]) -> Evidence:
     if CONTENTS not in files:
         raise damaged(f"there is no `{CONTENTS}` in it")
     try:
-        contents = msgspec.json.decode(files.pop(CONTENTS), type=Contents)
-    except msgspec.MsgspecError as problem:
+        contents = decoded(files.pop(CONTENTS), Contents)
+    except Damaged as problem:
         raise damaged(f"`{CONTENTS}` is not as vrts writes it") from problem
     for name, digest in contents.sha256.items():
         if name not in files:
@@ -138,8 +136,8 @@ def _result(files: dict[str, bytes], name: str) -> Result:
 
 def _row(files: dict[str, bytes]) -> Row:
     try:
-        return msgspec.json.decode(files.get(ROW, b""), type=Row)
-    except msgspec.MsgspecError as problem:
+        return decoded(files.get(ROW, b""), Row)
+    except Damaged as problem:
         raise damaged(f"`{ROW}` is not as vrts writes it") from problem
 
 

@@ -21,7 +21,7 @@ from vrts.check.mark.earned import not_reached
 from vrts.controllers.models import FIRST
 from vrts.controllers.values import digest
 from vrts.marking.proposer.by_name import By, by_name
-from vrts.marking.result import SCORING, Damaged, Kind, Record, Result, key_of
+from vrts.marking.result import SCORING, Damaged, Kind, Record, Result, decoded, key_of
 from vrts.marking.submission.mending import would_do
 from vrts.marking.submission.one import Marked, Order, Wanted, mark, refused
 from vrts.marking.submission.report_files import FAULT, RECORDING, REPORT, Reader, write_files
@@ -214,10 +214,7 @@ def read_marks(data: bytes) -> Marks:
     Raises:
         Damaged: They are none.
     """
-    try:
-        return msgspec.json.decode(data, type=Marks)
-    except msgspec.MsgspecError as problem:
-        raise Damaged(str(problem)) from problem
+    return decoded(data, Marks)
 
 
 def made_before(folder: Path) -> Marks | None:
