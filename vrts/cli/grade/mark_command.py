@@ -66,7 +66,7 @@ Examples:
   vrts grade task.toml download.zip -o out --backend dask:tcp://192.0.2.1:8786
 
 \b
-Clusters (pip install 'vrts[cluster]', here and where the workers are):
+Clusters (pip install dask dask-jobqueue distributed, here and where the workers are):
   dask:ADDRESS      the workers of that scheduler
   dask              those of Dask's own configuration, else threads of this machine
   slurm, htcondor   --jobs many jobs, as ~/.config/dask/jobqueue.yaml says, for example

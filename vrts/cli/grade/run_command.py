@@ -13,6 +13,8 @@ from vrts.cli.shared.options import color_option, file_option, jobs_option
 if TYPE_CHECKING:
     from vrts.marking.marking import Done
 
+PRIVATE = 0o700
+
 EPILOG = """\b
 Examples:
   vrts grade run plan/shards/shard-07.json -o results
@@ -49,11 +51,13 @@ def command(shard: Path, target: Path, jobs: int, color: str) -> None:
     data = read_bytes(shard)
     found = read_shard(data)
     path = target if target.suffix.lower() == ".zip" else target / f"{shard.stem}.zip"
-    if path.is_file() and is_of(path, digest_of(data)):
+    if path.is_file() and is_of(path, found, digest_of(data)):
         out(f"{path}: there already")
         return
     path.parent.mkdir(parents=True, exist_ok=True)
     work = path.with_name(f".{path.stem}-{digest_of(data)[:12]}")
+    work.mkdir(exist_ok=True)
+    work.chmod(PRIVATE)  # programs and hidden checks are in it
     progress = Progress()
     progress.begin(len(found.pieces))
 
@@ -64,6 +68,6 @@ def command(shard: Path, target: Path, jobs: int, color: str) -> None:
     with progress.interruptible("the same call goes on"):
         results = run_shard(found, data, work, jobs=jobs, done=done)
     progress.clear()
-    write_file(path, results)
+    write_file(path, results, private=True)
     shutil.rmtree(work, ignore_errors=True)
     out(f"{path}: {len(found.pieces)} marked")

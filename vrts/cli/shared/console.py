@@ -192,11 +192,11 @@ def guarded(function: Command) -> Command:
     return wrapped  # type: ignore[return-value]
 
 
-def write_file(path: Path, data: bytes) -> None:
+def write_file(path: Path, data: bytes, *, private: bool = False) -> None:
     """Write a file whole or not at all, beside where it goes.
 
     `-` is stdout. A link stays a link, a file keeps its mode and its owner, and a pipe or a
-    device is written to.
+    device is written to. What is private is ours alone afterwards, whatever was there.
     """
     if str(path) == STDOUT:
         out_bytes(data)
@@ -207,9 +207,9 @@ def write_file(path: Path, data: bytes) -> None:
     file = path.resolve()
     draft = file.with_name(f".{secrets.token_hex(8)}.part")  # nobody else's file
     try:
-        with draft.open("xb") as stream:
-            stream.write(data)
-        if not file.exists() or _like(draft, file.stat()):
+        draft.touch(0o600 if private else 0o666, exist_ok=False)
+        draft.write_bytes(data)
+        if private or not file.exists() or _like(draft, file.stat()):
             draft.replace(file)
         else:
             file.write_bytes(data)  # somebody else's file that we may write to stays theirs

@@ -11,7 +11,7 @@ from vrts.marking.remote.backend import Backend
 from vrts.marking.remote.child import ChildFailed, mark_in_child
 from vrts.marking.remote.marked import MarkedShard
 from vrts.marking.remote.merge import take
-from vrts.marking.remote.plan import Key, make_plan
+from vrts.marking.remote.plan import Key, make_plan, rest_of
 from vrts.marking.remote.shard import Cut
 from vrts.marking.submission.marker import Marker, Marks
 from vrts.marking.submission.one import Order
@@ -92,29 +92,28 @@ class _Shards:
     def mark(self, cuts: Sequence[Cut], backend: Backend, jobs: int) -> Iterator[Done]:
         from vrts.marking.remote.dask_cluster import DaskCluster  # Dask is optional
 
-        left: dict[str, list[Cut]] = {}  # by why the cluster has not marked them
+        left: dict[str, list[tuple[Cut, Key]]] = {}  # by why the cluster has not marked them
         with DaskCluster(backend, jobs) as cluster:
             for outcome in cluster.run(cuts):
-                found, words = None, outcome.words
+                found, words = list[Done](), outcome.words
                 if outcome.results is not None:
-                    found, words = self._taken(outcome.results, outcome.cut)
-                if found is None:
-                    left.setdefault(words, []).append(outcome.cut)
-                else:
-                    yield from found
-        for words, cuts in left.items():
-            self._said(_at_home(cuts, words))
-            for cut in cuts:
-                yield from self._here(cut, jobs)
+                    found, words = self._taken(outcome.results, outcome.cut, self._key)
+                yield from found
+                missing = _missing(outcome.cut, found)
+                if missing:
+                    rest = rest_of(self._key, outcome.cut, missing)
+                    left.setdefault(words, []).append(rest)
+        for words, rests in left.items():
+            self._said(_at_home([cut for cut, _ in rests], words))
+            for cut, key in rests:
+                yield from self._here(cut, key, jobs)
 
-    def _taken(self, results: bytes, cut: Cut) -> tuple[list[Done] | None, str]:
-        """Return the rows of a shard, written; or None and why there are none."""
+    def _taken(self, results: bytes, cut: Cut, key: Key) -> tuple[list[Done], str]:
+        """Return the rows of a shard that can be taken, written; and why the others cannot."""
         try:
-            taken = take(MarkedShard(results, f"shard {cut.number}"), self._key, self._layout)
+            taken = take(MarkedShard(results, f"shard {cut.number}"), key, self._layout)
         except Refused as refused:
-            return None, "; ".join(d.headline for d in refused.diagnostics)
-        if taken.findings:  # all of the shard is marked again
-            return None, "; ".join(d.headline for d in taken.findings)
+            return [], "; ".join(d.headline for d in refused.diagnostics)
         found = [
             Done(
                 self._entries[row.naming.identifier],
@@ -126,25 +125,29 @@ class _Shards:
             )
             for row in taken.rows
         ]
-        return found, ""
+        return found, "; ".join(d.headline for d in taken.findings)
 
-    def _here(self, cut: Cut, jobs: int) -> Iterator[Done]:
+    def _here(self, cut: Cut, key: Key, jobs: int) -> Iterator[Done]:
         """Mark a shard on this machine; whatever happens, there is a row for everything."""
         try:
-            found, words = self._taken(mark_in_child(cut.data, cut.longest_s, jobs), cut)
+            found, words = self._taken(mark_in_child(cut.data, cut.longest_s, jobs), cut, key)
         except ChildFailed as problem:
-            found, words = None, str(problem)
-        if found is not None:
-            yield from found
-            return
-        for naming in cut.names:
-            entry = self._entries[naming.identifier]
+            found, words = list[Done](), str(problem)
+        yield from found
+        for identifier in _missing(cut, found):
+            entry = self._entries[identifier]
             assert entry.data is not None
             order = Order(entry.identifier, entry.title, entry.data)
             marks: Marks = self._marker.lost(order, f"its shard was not marked: {words}")
             if self._layout is not None:
                 write_marks(marks, self._layout)
             yield Done(entry, marks.staff, marks.student, False, 0.0, 0)
+
+
+def _missing(cut: Cut, found: Sequence[Done]) -> list[str]:
+    """Return the identifiers of a shard that have no row."""
+    there = {done.entry.identifier for done in found}
+    return [naming.identifier for naming in cut.names if naming.identifier not in there]
 
 
 def _at_home(cuts: Sequence[Cut], words: str) -> Diagnostic:
@@ -160,9 +163,10 @@ def _at_home(cuts: Sequence[Cut], words: str) -> Diagnostic:
 def _require_packages() -> None:
     missing = [name for name in _PACKAGES if importlib.util.find_spec(name) is None]
     if missing:
-        names = " and ".join(f"`{name.replace('_', '-')}`" for name in missing)
+        missing = [name.replace("_", "-") for name in missing]
+        names = " and ".join(f"`{name}`" for name in missing)
         headline = f"marking on a cluster needs {names}, which {_is(len(missing))} not installed"
-        remedy = "pip install 'vrts[cluster]'"
+        remedy = f"pip install {' '.join(missing)}"
         raise Refused((error(NOT_INSTALLED, headline, help=(remedy,)),))
 
 

@@ -12,14 +12,24 @@ from typing import BinaryIO, Literal, NamedTuple
 
 import msgspec
 
-from vrts.base.diagnostic import Rule, error
+from vrts.base.diagnostic import Diagnostic, Rule, error
 from vrts.base.zips import BadZip, Unpacker, packed
 from vrts.marking.layout import LOST, RESULT, Layout
 from vrts.marking.marking import Done
 from vrts.marking.remote.names import Pseudonym
+from vrts.marking.remote.recounted import contradiction
 from vrts.marking.remote.shard import Number, PlanId, Shard
 from vrts.marking.remote.signed import Secret, is_signed, signature
-from vrts.marking.result import LARGEST, Damaged, Digest, Record, Result, from_bytes, to_bytes
+from vrts.marking.result import (
+    LARGEST,
+    Damaged,
+    Digest,
+    Record,
+    Result,
+    decoded,
+    from_bytes,
+    to_bytes,
+)
 from vrts.marking.submission.marker import STAFF, STUDENT, WRITTEN
 from vrts.pipeline.refused import Refused
 
@@ -121,16 +131,29 @@ def written(layout: Layout, identifier: str) -> dict[str, bytes]:
     return found
 
 
-def is_of(path: Path, digest: str) -> bool:
-    """Return whether a file holds the results of a shard, whole; `digest` is that of the shard."""
+def is_of(path: Path, shard: Shard, digest: str) -> bool:
+    """Return whether a file holds the results of a shard, as far as can be told without its plan.
+
+    Args:
+        path: Of the file.
+        shard: That was marked.
+        digest: Of its file.
+    """
     try:
         with path.open("rb") as file:
             marked = MarkedShard(file, path.name)
-            for used in marked.contents.rows:
-                marked.row(used)
+            contents = marked.contents
+            if shard.secret is not None and not marked.is_signed(shard.secret):
+                return False
+            sound = all(_is_sound(marked.row(used)) for used in contents.rows)
     except (Refused, NotTaken):
         return False
-    return marked.contents.shard == digest
+    whole = {row.pseudonym for row in contents.rows} == {piece.pseudonym for piece in shard.pieces}
+    return sound and whole and contents.shard == digest
+
+
+def _is_sound(row: MarkedRow) -> bool:
+    return all(contradiction(result) is None for result in (row.staff, row.student))
 
 
 class MarkedShard:
@@ -187,8 +210,8 @@ class MarkedShard:
             raise self._bad(f"there is no `{CONTENTS}` in it")
         try:
             self._signed = self._read(CONTENTS, LARGEST_CONTENTS)
-            return msgspec.json.decode(self._signed, type=Contents)
-        except msgspec.MsgspecError as problem:
+            return decoded(self._signed, Contents)
+        except Damaged as problem:
             raise self._bad(f"its `{CONTENTS}` is not as vrts writes it") from problem
         except NotTaken as problem:
             raise self._bad(str(problem)) from problem
@@ -228,6 +251,11 @@ class MarkedShard:
             raise NotTaken(f"`{member}` is damaged") from problem
 
     def _bad(self, why: str) -> Refused:
-        headline = f"`{self.name}` holds no results of a shard: {why}"
-        remedy = "copy the file again from where it was made, or run the shard again"
-        return Refused((error(BAD_RESULTS, headline, help=(remedy,)),))
+        return Refused((no_results(self.name, why),))
+
+
+def no_results(name: str, why: str) -> Diagnostic:
+    """Return what to say of a file that holds no results."""
+    headline = f"`{name}` holds no results of a shard: {why}"
+    remedy = "copy the file again from where it was made, or run the shard again"
+    return error(BAD_RESULTS, headline, help=(remedy,))

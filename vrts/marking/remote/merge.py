@@ -4,7 +4,8 @@ Nothing is taken on trust that home can find out by itself; see `signed` and `re
 cannot be taken of one submission leaves the others as they are.
 """
 
-from collections.abc import Sequence
+from collections.abc import Collection, Iterator, Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import NamedTuple
 
@@ -13,7 +14,7 @@ import msgspec
 from vrts.base.diagnostic import Diagnostic, Rule, error, warning
 from vrts.marking.layout import LOST, RESULT, Layout, write_atomically
 from vrts.marking.marking import take_files, write_marks
-from vrts.marking.remote.marked import MarkedRow, MarkedShard, NotTaken
+from vrts.marking.remote.marked import MarkedRow, MarkedShard, NotTaken, no_results
 from vrts.marking.remote.names import Naming, page_at_home, result_at_home
 from vrts.marking.remote.plan import Expected, Home, Key, Sent
 from vrts.marking.remote.recounted import contradiction
@@ -21,7 +22,6 @@ from vrts.marking.remote.signed import secret_of_shard
 from vrts.marking.result import Damaged, Kind, Result, from_bytes
 from vrts.marking.submission.marker import STAFF, Marks
 from vrts.marking.supervise.staging import remove_unused, staging_folder
-from vrts.pipeline.files import CannotRead
 from vrts.pipeline.refused import Refused
 
 FOREIGN = Rule("V724", "foreign-results")
@@ -32,6 +32,8 @@ UNSIGNED = Rule("V731", "unsigned-results")
 
 NO_MARK = (Kind.RESOURCE, Kind.FAULT)  # never take the place of anything better
 MOST_NAMED = 20  # of what is missing
+
+Said = tuple[tuple[object, ...], ...]
 
 
 class HomeRow(NamedTuple):
@@ -68,7 +70,6 @@ def merge(key: Key, sources: Sequence[Path], layout: Layout, *, unsigned: bool =
         unsigned: Whether to take results of a plan of before, which are not signed.
 
     Raises:
-        CannotRead: A file cannot be read.
         Refused: The plan is one of before, and its results are not to be taken.
     """
     require_secret(key, unsigned=unsigned)
@@ -76,18 +77,22 @@ def merge(key: Key, sources: Sequence[Path], layout: Layout, *, unsigned: bool =
     for other in key.others:
         _write(other.marks, other.files, layout)
     rows: dict[str, HomeRow] = {}
-    findings: list[Diagnostic] = []
+    odds = dict(_at_odds(sources, key))
+    findings = list(odds.values())
     for path in sources:
         try:
-            with path.open("rb") as file:
-                taken = take(MarkedShard(file, path.name), key, layout)
-            rows |= {row.naming.identifier: row for row in taken.rows}
-            findings += taken.findings
-        except Refused as refused:
-            findings += refused.diagnostics
+            file = path.open("rb")
         except OSError as problem:
-            reason = (problem.strerror or "unreadable").lower()
-            raise CannotRead(f"cannot read `{path}`: {reason}") from problem
+            findings.append(no_results(path.name, (problem.strerror or "unreadable").lower()))
+            continue
+        with file:
+            try:
+                taken = take(MarkedShard(file, path.name), key, layout, odds, kept=True)
+            except Refused as refused:
+                findings += refused.diagnostics
+                continue
+        rows |= {row.naming.identifier: row for row in taken.rows}
+        findings += taken.findings
     missing = [
         (sent, entry)
         for sent in key.shards
@@ -100,8 +105,22 @@ def merge(key: Key, sources: Sequence[Path], layout: Layout, *, unsigned: bool =
     return Merged(tuple(rows.values()), tuple(findings), absent)
 
 
-def take(marked: MarkedShard, key: Key, layout: Layout | None) -> Taken:
+def take(
+    marked: MarkedShard,
+    key: Key,
+    layout: Layout | None,
+    without: Collection[str] = (),
+    *,
+    kept: bool = False,
+) -> Taken:
     """Write the results of one shard, as far as they are what the plan expects, and return them.
+
+    Args:
+        marked: The results.
+        key: Of the plan.
+        layout: Where they go; None: nowhere.
+        without: Identifiers of those that are left out, without a word.
+        kept: Whether what is there already stays where these tell something else.
 
     Raises:
         Refused: The whole is damaged, was changed, or belongs to something else.
@@ -117,9 +136,13 @@ def take(marked: MarkedShard, key: Key, layout: Layout | None) -> Taken:
             findings.append(_unfit(marked, sent, why))
             continue
         naming = entry.naming
+        if naming.identifier in without:
+            continue
         try:
             row = marked.row(used)
             _check(row, entry, key)
+            if kept and layout is not None:
+                _require_same(row, entry, layout)
         except NotTaken as problem:
             why = f"the result of `{naming.identifier}` is not taken: {problem}"
             findings.append(_unfit(marked, sent, why))
@@ -178,6 +201,21 @@ def _check(row: MarkedRow, entry: Expected, key: Key) -> None:
             raise NotTaken(why)
 
 
+def _require_same(row: MarkedRow, entry: Expected, layout: Layout) -> None:
+    """Require that results tell the same as those that are there already.
+
+    Raises:
+        NotTaken: They do not.
+    """
+    before = _there(layout, entry)
+    kinds = () if before is None else (before.staff.kind, row.staff.kind)
+    if before is None or any(kind in NO_MARK for kind in kinds):
+        return
+    if _said(before.staff, before.student) != _said(row.staff, row.student):
+        place = layout.grader(entry.naming.identifier)
+        raise NotTaken(f"`{place}` tells something else; delete the one that is wrong")
+
+
 def _home(result: Result, naming: Naming, home: Home) -> Result:
     named = result_at_home(result, naming)
     return msgspec.structs.replace(named, task=home.task, scene=home.scene)
@@ -186,7 +224,7 @@ def _home(result: Result, naming: Naming, home: Home) -> Result:
 def _write_marked(marks: Marks, files: dict[str, bytes], entry: Expected, layout: Layout) -> None:
     """Write what came back about one submission, with its title in place of its pseudonym."""
     before = _there(layout, entry)
-    if marks.staff.kind in NO_MARK and before is not None and before.kind not in NO_MARK:
+    if marks.staff.kind in NO_MARK and before is not None and before.staff.kind not in NO_MARK:
         return
     at_home = {
         name: page_at_home(data, entry.naming) if name.endswith(".html") else data
@@ -211,14 +249,58 @@ def _write(marks: Marks, files: dict[str, bytes], layout: Layout) -> None:
     write_marks(marks, layout)
 
 
-def _there(layout: Layout, entry: Expected) -> Result | None:
-    """Return the result that is there already, if it is the one that a plan expects."""
+def _there(layout: Layout, entry: Expected) -> Marks | None:
+    """Return the results that are there already, if they are those that a plan expects."""
+    name = entry.naming.identifier
     try:
-        data = (layout.grader(entry.naming.identifier) / RESULT).read_bytes()
-        result = from_bytes(data)
+        staff, student = (
+            from_bytes((home / RESULT).read_bytes())
+            for home in (layout.grader(name), layout.student(name))
+        )
     except (OSError, Damaged):
         return None
-    return result if result.key == entry.staff else None
+    same = (staff.key, student.key) == (entry.staff, entry.student)
+    return Marks(staff, student) if same else None
+
+
+def _at_odds(sources: Sequence[Path], key: Key) -> Iterator[tuple[str, Diagnostic]]:
+    """Yield submissions, and what to say of them, of which two files tell different things.
+
+    More than its table of contents is read only of a file that is not the only one of its shard.
+    """
+    files: dict[int, list[Path]] = {}
+    for path in dict.fromkeys(sources):
+        with suppress(Refused, OSError), path.open("rb") as file:  # told when it is to be taken
+            files.setdefault(MarkedShard(file, path.name).contents.number, []).append(path)
+    for number, paths in sorted(files.items()):
+        said: dict[str, dict[Said, Path]] = {}  # by identifier: the first file that says it
+        for path in paths if len(paths) > 1 else ():
+            with suppress(Refused, OSError), path.open("rb") as file:  # likewise
+                for row in take(MarkedShard(file, path.name), key, None).rows:
+                    if row.marks.staff.kind not in NO_MARK:
+                        what = _said(row.marks.staff, row.marks.student)
+                        said.setdefault(row.naming.identifier, {}).setdefault(what, path)
+        for identifier, ways in said.items():
+            if len(ways) > 1:
+                yield identifier, _differ(identifier, number, list(ways.values()))
+
+
+def _said(*results: Result) -> Said:
+    """Return what results must have in common with others of the same keys."""
+    return tuple(
+        (
+            (result.kind, result.mark, result.lowest, result.parts),
+            *((check.id, check.answer, check.points, check.most) for check in result.checks),
+        )
+        for result in results
+    )
+
+
+def _differ(identifier: str, number: int, paths: Sequence[Path]) -> Diagnostic:
+    names = " and ".join(f"`{path}`" for path in paths)
+    headline = f"shard {number}: the result of `{identifier}` is not taken: {names} differ in it"
+    remedy = f"run shard {number} again on a machine that you trust, and merge its file alone"
+    return error(UNFIT, headline, help=(remedy,), data={"shard": number})
 
 
 def _incomplete(key: Key, missing: list[tuple[Sent, Expected]]) -> Diagnostic:
@@ -249,7 +331,7 @@ def _changed(marked: MarkedShard, sent: Sent) -> Refused:
     whose = "the result of 1 submission" if count == 1 else f"the results of {count} submissions"
     headline = f"`{marked.name}`, shard {sent.number}: it was changed after it was signed"
     note = f"{whose} in it {'is' if count == 1 else 'are'} not taken"
-    return Refused((error(CHANGED, headline, notes=(note,), help=(_again(sent),)),))
+    return Refused((error(CHANGED, headline, notes=(note,), help=(_again(marked, sent),)),))
 
 
 def require_secret(key: Key, *, unsigned: bool) -> None:
@@ -270,8 +352,9 @@ def require_secret(key: Key, *, unsigned: bool) -> None:
 
 def _unfit(marked: MarkedShard, sent: Sent, why: str) -> Diagnostic:
     headline = f"`{marked.name}`, shard {sent.number}: {why}"
-    return error(UNFIT, headline, help=(_again(sent),), data={"shard": sent.number})
+    return error(UNFIT, headline, help=(_again(marked, sent),), data={"shard": sent.number})
 
 
-def _again(sent: Sent) -> str:
-    return f"run shard {sent.number} again on a machine that you trust, and merge again"
+def _again(marked: MarkedShard, sent: Sent) -> str:
+    what = f"delete `{marked.name}` and run shard {sent.number} again"
+    return f"{what} on a machine that you trust, and merge again"

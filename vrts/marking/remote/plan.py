@@ -2,7 +2,7 @@
 
 import hashlib
 import secrets
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Literal, NamedTuple
@@ -16,9 +16,9 @@ from vrts.marking.remote.at_home import AtHome
 from vrts.marking.remote.marked import written
 from vrts.marking.remote.names import Naming, named_anew
 from vrts.marking.remote.portable import portable
-from vrts.marking.remote.shard import Cut, Job, PlanId, cut, digest_of
+from vrts.marking.remote.shard import Cut, Job, PlanId, cut, digest_of, part_of
 from vrts.marking.remote.signed import Secret, new_secret
-from vrts.marking.result import Digest, Named, Record
+from vrts.marking.result import Damaged, Digest, Named, Record, decoded
 from vrts.marking.submission.marker import Marker, Marks
 from vrts.marking.submission.summary import task_named
 from vrts.marking.supervise.limits import Limits
@@ -144,17 +144,39 @@ def read_key(place: Path) -> Key:
     data = read_bytes(path)
     try:
         if len(data) <= LARGEST:
-            key = msgspec.json.decode(data, type=Key)
+            key = decoded(data, Key)
             if (key.secret is None) == (key.schema == UNSIGNED):
                 return key
             why = "its secret is missing"
         else:
             why = f"it has more than {LARGEST:,} bytes"
-    except msgspec.MsgspecError as problem:
+    except Damaged as problem:
         why = str(problem)
     headline = f"`{path.name}` is not the key of a plan: {why[:200]}"
     remedy = "name the folder that `vrts grade plan` wrote, or plan again"
     raise Refused((error(BAD_PLAN, headline, help=(remedy,)),))
+
+
+def rest_of(key: Key, whole: Cut, wanted: Collection[str]) -> tuple[Cut, Key]:
+    """Return some submissions of a shard as a shard, and the key of what it gives.
+
+    Args:
+        key: Of the plan.
+        whole: The shard.
+        wanted: Identifiers.
+    """
+    names = tuple(naming for naming in whole.names if naming.identifier in wanted)
+    part = part_of(whole, names)
+    sent = tuple(
+        Sent(
+            one.number,
+            digest_of(part.data),
+            tuple(entry for entry in one.entries if entry.naming in names),
+        )
+        for one in key.shards
+        if one.number == whole.number
+    )
+    return part, msgspec.structs.replace(key, shards=sent)
 
 
 def _expected(marker: Marker, entry: Entry, naming: Naming) -> Expected:

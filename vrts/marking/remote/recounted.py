@@ -8,10 +8,14 @@ from collections.abc import Iterator
 from fractions import Fraction
 from math import fsum
 
+import msgspec
+
+from vrts.check.rules.scheme import LARGEST_TOTAL
 from vrts.check.task.score import to_tenth
-from vrts.marking.result import Kind, Result
+from vrts.marking.result import Check, Kind, Loss, Result
 
 ROUNDED = 1e-5  # points: ten times what the six decimals of a part can be wrong by
+LONGEST = 20  # characters of points as a fraction: they are hundredths
 MARKED = frozenset((Kind.GRADED, Kind.DOES_NOT_COMPILE, Kind.STOPPED, Kind.LIMIT))
 UNMARKED = frozenset((Kind.RESOURCE, Kind.FAULT))
 BY_PROGRAM = MARKED | UNMARKED | {Kind.UNREADABLE}  # what marking a program can end with
@@ -24,6 +28,9 @@ def contradiction(result: Result) -> str | None:
 
 def _contradictions(result: Result) -> Iterator[str]:
     kind, mark = result.kind, result.mark
+    if not _has_points(result):
+        yield "it holds points that no marking gives"
+        return
     if kind not in BY_PROGRAM:
         yield f"it says `{kind.value}`, and a program was sent"
     elif kind in UNMARKED and mark is not None:
@@ -57,3 +64,30 @@ def _marks_of_parts(result: Result) -> tuple[float, ...]:
     exact = max(0.0, parts.targets + parts.vias - taken) + parts.time
     near = (exact - ROUNDED, exact + ROUNDED, exact)
     return tuple(float(to_tenth(Fraction(points), result.exact_total)) for points in near)
+
+
+def _has_points(result: Result) -> bool:
+    """Return whether all numbers of points are such that they can be added up."""
+    most = LARGEST_TOTAL * (1 + len(result.checks))  # what several demands cost adds up
+    parts = () if result.parts is None else msgspec.structs.astuple(result.parts)
+    return (
+        all(abs(points) <= most for points in parts)
+        and all(map(_is_loss, result.losses))
+        and all(map(_is_check, result.checks))
+    )
+
+
+def _is_check(check: Check) -> bool:
+    return abs(check.points) <= LARGEST_TOTAL and abs(check.most) <= LARGEST_TOTAL
+
+
+def _is_loss(loss: Loss) -> bool:
+    """Return whether points are hundredths, and the same both times."""
+    if len(loss.points_exact) > LONGEST:
+        return False
+    try:
+        exact = Fraction(loss.points_exact)
+    except (ValueError, ZeroDivisionError):
+        return False
+    hundredths = (exact * 100).denominator == 1
+    return hundredths and abs(exact) <= LARGEST_TOTAL and abs(loss.points - exact) <= ROUNDED

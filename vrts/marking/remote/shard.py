@@ -17,7 +17,7 @@ from vrts.marking.marking import Entry
 from vrts.marking.remote.names import Label, Naming, Pseudonym
 from vrts.marking.remote.portable import PortableTask
 from vrts.marking.remote.signed import Secret, secret_of_shard
-from vrts.marking.result import Digest, Record
+from vrts.marking.result import Damaged, Digest, Record, decoded
 from vrts.marking.submission.one import Wanted
 from vrts.marking.supervise.limits import Limits
 from vrts.pipeline.refused import Refused
@@ -103,6 +103,15 @@ def cut(job: Job, entries: Sequence[tuple[Entry, Naming]], count: int) -> Iterat
         yield Cut(shard.number, data, tuple(naming for _, naming in part), shard.longest_s)
 
 
+def part_of(whole: Cut, names: tuple[Naming, ...]) -> Cut:
+    """Return a shard of our own with some of its submissions."""
+    wanted = {naming.pseudonym for naming in names}
+    shard = read_shard(whole.data)
+    pieces = tuple(piece for piece in shard.pieces if piece.pseudonym in wanted)
+    part = msgspec.structs.replace(shard, pieces=pieces)
+    return Cut(whole.number, msgspec.json.encode(part) + b"\n", names, part.longest_s)
+
+
 def read_shard(data: bytes) -> Shard:
     """Return the shard that a file holds.
 
@@ -112,8 +121,8 @@ def read_shard(data: bytes) -> Shard:
     if len(data) > LARGEST:
         raise _bad(f"it has more than {LARGEST:,} bytes")
     try:
-        shard = msgspec.json.decode(data, type=Shard)
-    except msgspec.MsgspecError as problem:
+        shard = decoded(data, Shard)
+    except Damaged as problem:
         raise _bad(str(problem)) from problem
     if (shard.secret is None) != (shard.schema == UNSIGNED):
         raise _bad("what signs its results is missing")
@@ -121,7 +130,8 @@ def read_shard(data: bytes) -> Shard:
         raise _bad("a submission is in it twice")
     if shard.vrts != __version__:
         headline = f"the shard is for vrts {shard.vrts}, and this is vrts {__version__}"
-        remedy = f"install vrts {shard.vrts} here, or plan again with vrts {__version__}"
+        wheel = f"install the wheel of vrts {shard.vrts} here"
+        remedy = f"{wheel}, or plan again with vrts {__version__}"
         raise Refused((error(OTHER_VRTS, headline, help=(remedy,)),))
     return shard
 

@@ -3,14 +3,18 @@
 import json
 import re
 import shutil
+import stat
+import zipfile
 from pathlib import Path
+from typing import Any
 
 import pytest
 from click.testing import CliRunner, Result
 
 from tests.unit.marking.remote.support import BAD, GOOD, TYPO, files, task
 from vrts.cli.grade.grade_command import command
-from vrts.marking.remote import dask_cluster
+from vrts.marking.remote import dask_cluster, run_shard
+from vrts.marking.remote.shard import Shard
 
 INDEX = "staff/index.html"
 TIME = re.compile(rb"marked \d{4}-\d\d-\d\d \d\d:\d\d")
@@ -123,6 +127,39 @@ def test_a_merged_class_has_its_lateness_and_its_changes_by_hand(lab: Path) -> N
     assert (other.exit_code, "V732" in other.output) == (1, True), other.output
     assert (lab / "new" / "staff" / "students" / "anna" / "result.json").is_file()
     assert not (lab / "new" / "staff" / "results.json").exists()
+
+
+def test_results_are_for_their_owner_and_the_remedy_helps(
+    lab: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What was changed is not there already: the shard is marked again."""
+    modes: list[int] = []
+    plain = run_shard.run_shard
+
+    def looked_at(shard: Shard, data: bytes, work: Path, **options: Any) -> bytes:
+        modes.append(stat.S_IMODE(work.stat().st_mode))
+        return plain(shard, data, work, **options)
+
+    monkeypatch.setattr(run_shard, "run_shard", looked_at)
+    good("plan", "lab", "hand-ins/anna_b", "--shards", "1", "--no-pages")
+    call = ("run", "plan/shards/shard-01.json", "-o", "results")
+    good(*call)
+    place = lab / "results" / "shard-01.zip"
+    assert (modes, stat.S_IMODE(place.stat().st_mode)) == ([0o700], 0o600)
+    with zipfile.ZipFile(place) as archive:
+        members = {name: archive.read(name) for name in archive.namelist()}
+    with zipfile.ZipFile(place, "w") as archive:
+        for name, data in (members | {"signature.txt": b"0" * 64}).items():
+            archive.writestr(name, data)
+    place.chmod(0o644)
+    refused = vrts("merge", "plan", "results", "-o", "out")
+    assert "error[V730 changed-results]" in refused.output
+    assert "delete `shard-01.zip` and run shard 1 again" in refused.output
+    assert good(*call).endswith("1 marked\n")
+    assert (len(modes), stat.S_IMODE(place.stat().st_mode)) == (2, 0o600)
+    with zipfile.ZipFile(place) as archive:
+        assert archive.read("signature.txt") != b"0" * 64
+    good("merge", "plan", "results", "-o", "out")
 
 
 def test_a_plan_is_not_lost_by_accident(lab: Path) -> None:

@@ -1,12 +1,15 @@
 """A class marked on a real cluster of two worker processes, one of which is killed."""
 
+import io
 import shutil
 import signal
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
+import zipfile
+from collections.abc import Iterator, Sequence
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import NamedTuple
 
 import dask.config
@@ -18,15 +21,19 @@ from tests.unit.marking import proven_task
 from tests.unit.marking.remote.support import CLASS, GOOD, configured, files, task
 from vrts import __version__
 from vrts.base.diagnostic import Diagnostic
+from vrts.base.zips import packed
 from vrts.marking.layout import Layout
 from vrts.marking.marking import Entry, mark_class
 from vrts.marking.remote import dask_cluster
+from vrts.marking.remote import mark_on_dask as mark_on_dask_module
 from vrts.marking.remote.backend import Backend, Scheduler, read_backend
 from vrts.marking.remote.child import ChildFailed, mark_in_child
-from vrts.marking.remote.dask_cluster import DaskCluster, queue_cluster
+from vrts.marking.remote.dask_cluster import DaskCluster, Outcome, queue_cluster
 from vrts.marking.remote.mark_on_dask import mark_on_dask
 from vrts.marking.remote.plan import make_plan
-from vrts.marking.result import Kind
+from vrts.marking.remote.run_shard import run_shard
+from vrts.marking.remote.shard import Cut, read_shard
+from vrts.marking.result import Kind, from_bytes
 from vrts.marking.submission.marker import Marker
 from vrts.marking.submission.one import Wanted
 from vrts.marking.submission.setting import Place
@@ -178,6 +185,64 @@ def test_a_cluster_without_workers_is_not_waited_for(
     cluster.close()
     assert [d.notes[0] for d in said] == ["the cluster gave no results: no worker came"]
     assert {d.result.kind for d in done} == {Kind.GRADED}
+
+
+class Spoiled:
+    """A cluster that marks, and damages a page of one submission in every shard on the way."""
+
+    def __init__(self, _backend: Backend, _jobs: int) -> None:
+        """Start nothing."""
+
+    def __enter__(self) -> "Spoiled":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """Stop nothing."""
+
+    def run(self, cuts: Sequence[Cut]) -> Iterator[Outcome]:
+        """Yield what comes home."""
+        for cut in cuts:
+            with TemporaryDirectory() as work:
+                results = run_shard(read_shard(cut.data), cut.data, Path(work))
+            with zipfile.ZipFile(io.BytesIO(results)) as archive:
+                members = {name: archive.read(name) for name in archive.namelist()}
+            members[f"{cut.names[0].pseudonym}/student/result.json"] = b"{}"
+            yield Outcome(cut, packed(members, 0o600))
+
+
+@pytest.mark.parametrize("here", [True, False], ids=["marked here", "lost"])
+def test_one_refused_row_costs_no_other(
+    here: bool, marker: Marker, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    again: list[int] = []
+
+    def child(data: bytes, _longest_s: float, _jobs: int) -> bytes:
+        again.append(len(read_shard(data).pieces))
+        if not here:
+            raise ChildFailed("it is broken")
+        return run_shard(read_shard(data), data, tmp_path / "work")
+
+    monkeypatch.setattr(dask_cluster, "DaskCluster", Spoiled)
+    monkeypatch.setattr(mark_on_dask_module, "mark_in_child", child)
+    said: list[Diagnostic] = []
+    out = Layout(tmp_path / "out")
+    done = list(mark_on_dask(marker, MANY[:3], out, NOWHERE, size=3, said=said.append))
+    assert sorted(one.entry.identifier for one in done) == ["n0", "n1", "n2"]
+    assert again == [1], "only what is missing is marked again"
+    assert [d.headline for d in said] == [
+        "1 submission is marked on this machine and not on the cluster"
+    ]
+    kinds = {one.entry.identifier: one.result.kind for one in done}
+    assert kinds == {
+        "n0": Kind.GRADED if here else Kind.RESOURCE,
+        "n1": Kind.GRADED,
+        "n2": Kind.GRADED,
+    }
+    for one in done:
+        assert (
+            from_bytes((out.grader(one.entry.identifier) / "result.json").read_bytes())
+            == one.result
+        )
 
 
 def test_a_worker_with_another_vrts_says_so(marker: Marker) -> None:

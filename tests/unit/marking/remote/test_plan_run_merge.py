@@ -16,7 +16,7 @@ from tests.unit.marking.remote.support import CLASS, NAMES, files, task
 from vrts.base.diagnostic import Diagnostic
 from vrts.marking.layout import Layout
 from vrts.marking.marking import mark_class
-from vrts.marking.remote.marked import Used, signed_contents
+from vrts.marking.remote.marked import Used, is_of, signed_contents
 from vrts.marking.remote.merge import Merged, merge
 from vrts.marking.remote.plan import make_plan, read_key, write_plan
 from vrts.marking.remote.run_shard import run_shard
@@ -58,6 +58,22 @@ def sent(tmp_path_factory: pytest.TempPathFactory) -> Sent:
         results.append(home / f"{path.stem}.zip")
         results[-1].write_bytes(run_shard(read_shard(data), data, home / "work" / path.stem))
     return Sent(marker, home / "plan", shards, results)
+
+
+NO_POINTS = "it holds points that no marking gives"
+PARTS = {"targets": 0.0, "vias": 0.0, "contacts": 0.0, "demands": 0.0, "time": 0.0}
+
+
+def loss(exact: str, points: float = 1.5) -> dict[str, object]:
+    """Return a loss of so many points."""
+    where = {"hint": None, "line": None, "time_s": None}
+    return {"points": points, "points_exact": exact, "kind": "time", "sentence": "slow", **where}
+
+
+def check(points: float) -> dict[str, object]:
+    """Return a check that earned so many points."""
+    words = {"id": "a", "title": "a", "kind": "time", "answer": "holds", "message": ""}
+    return {**words, "points": points, "most": 1.0, "hidden": False}
 
 
 def codes(found: tuple[Diagnostic, ...]) -> list[str]:
@@ -316,7 +332,9 @@ def test_a_result_changed_on_the_way_is_named_and_the_others_taken(
     assert first.headline == (
         f"`bad.zip`, shard 1: the result of `{naming.identifier}` is not taken: {said}"
     )
-    assert first.help == ("run shard 1 again on a machine that you trust, and merge again",)
+    assert first.help == (
+        "delete `bad.zip` and run shard 1 again on a machine that you trust, and merge again",
+    )
     assert len(merged.rows) == 5 - count
     assert not Layout(tmp_path / "out").grader(naming.identifier).exists()
     assert sent.merge(tmp_path / "out", sent.results[0]).missing == ()
@@ -337,9 +355,18 @@ def test_a_result_changed_on_the_way_is_named_and_the_others_taken(
         ({"key": "0" * 64}, "it was made with another vrts, or with other options"),
         ({"id": "s" + "0" * 12}, "it is of another submission"),
         ({"program": None}, "it does not tell of which program it is"),
+        ({"losses": [loss("1/0")]}, NO_POINTS),
+        ({"losses": [loss("9" * 5000)]}, NO_POINTS),
+        ({"losses": [loss("1/" + "7" * 5000)]}, NO_POINTS),
+        ({"losses": [loss("1/3")]}, NO_POINTS),
+        ({"losses": [loss("3/2", 1e308)]}, NO_POINTS),
+        ({"checks": [check(1e308), check(1e308)]}, NO_POINTS),
+        ({"parts": {**PARTS, "targets": 1e308, "vias": 1e308}}, NO_POINTS),
+        ({"parts": {**PARTS, "targets": 1e308, "contacts": -1e308}}, NO_POINTS),
+        ({"kind": "unreadable", "mark": 0.0, "parts": None, "losses": [loss("1/0")]}, NO_POINTS),
         ({"program": {"name": "x.v2", "sha256": "0" * 64, "size": 3}}, "it is of another program"),
     ],
-    ids=str,
+    ids=lambda value: str(value)[:60],
 )
 def test_a_signed_lie_is_found_where_home_can_tell(
     lie: dict[str, object], why: str, sent: Sent, tmp_path: Path
@@ -355,6 +382,112 @@ def test_a_signed_lie_is_found_where_home_can_tell(
         f"`bad.zip`, shard 1: the result of `smith-ben` is not taken: {why}"
     )
     assert merged.missing == ("smith-ben",)
+
+
+NO_TEXT = b'"\xff"'  # in JSON, a string that is none
+
+
+def spoil_text(members: dict[str, bytes]) -> None:
+    members["marked.json"] = members["marked.json"].replace(b'"vrts.marked/2"', NO_TEXT)
+
+
+def test_bytes_that_are_no_text_are_refused_everywhere(sent: Sent, tmp_path: Path) -> None:
+    bad = changed(sent.results[0], tmp_path / "bad.zip", spoil_text)
+    assert codes(sent.merge(tmp_path / "out", bad, sent.results[1]).findings) == ["V722", "V726"]
+
+    def spoil(members: dict[str, bytes]) -> None:
+        name = f"{pseudonym(sent, 'smith-ben')}/staff/result.json"
+        members[name] = members[name].replace(b'"graded"', NO_TEXT)
+
+    (first, _) = sent.merge(tmp_path / "other", lied(sent, tmp_path / "lie.zip", spoil)).findings
+    assert first.headline.endswith("staff/result.json` is no result")
+    assert refusal(sent.shards[0].read_bytes().replace(b'"vrts.shard/2"', NO_TEXT)) == "V720"
+    key = (sent.plan / "key.json").read_bytes().replace(b'"vrts.plan/2"', NO_TEXT)
+    (tmp_path / "key.json").write_bytes(key)
+    with pytest.raises(Refused) as refused:
+        read_key(tmp_path)
+    assert codes(refused.value.diagnostics) == ["V723"]
+
+
+def earn_more(sent: Sent) -> Callable[[dict[str, bytes]], None]:
+    """Return a lie that agrees with itself: a result that is all points."""
+
+    def tell(members: dict[str, bytes]) -> None:
+        name = f"{pseudonym(sent, 'smith-ben')}/staff/result.json"
+        told = {
+            "mark": 10.0,
+            "lowest": None,
+            "parts": {**PARTS, "targets": 10.0},
+            "losses": [],
+            "checks": [check(10.0) | {"most": 10.0}],
+        }
+        members[name] = json.dumps(json.loads(members[name]) | told).encode()
+
+    return tell
+
+
+def test_of_two_files_that_differ_neither_is_taken(sent: Sent, tmp_path: Path) -> None:
+    (tmp_path / "b").mkdir()
+    other = lied(sent, tmp_path / "b" / sent.results[0].name, earn_more(sent))
+    for order in ((sent.results[0], other), (other, sent.results[0])):
+        merged = sent.merge(tmp_path / "out", *order, sent.results[1])
+        assert codes(merged.findings) == ["V725", "V726"]
+        assert merged.findings[0].headline == (
+            "shard 1: the result of `smith-ben` is not taken:"
+            f" `{order[0]}` and `{order[1]}` differ in it"
+        )
+        assert merged.missing == ("smith-ben",)
+        assert not Layout(tmp_path / "out").grader("smith-ben").exists()
+    assert sent.merge(tmp_path / "out", *sent.results, sent.results[0]).findings == ()
+
+
+def test_what_is_there_is_not_replaced_by_something_else(sent: Sent, tmp_path: Path) -> None:
+    out = Layout(tmp_path / "out")
+    sent.merge(out.root, *sent.results)
+    before = files(out.root)
+    (finding,) = sent.merge(out.root, lied(sent, tmp_path / "lie.zip", earn_more(sent))).findings
+    place = out.grader("smith-ben")
+    assert finding.headline == (
+        "`lie.zip`, shard 1: the result of `smith-ben` is not taken:"
+        f" `{place}` tells something else; delete the one that is wrong"
+    )
+    assert files(out.root) == before
+    for half in (place, out.student("smith-ben")):
+        (half / "result.json").write_bytes(b"{}")
+        assert sent.merge(out.root).missing == ("smith-ben",)
+        assert sent.merge(out.root, sent.results[0]).missing == ()
+    assert files(out.root) == before
+
+
+def test_a_file_that_cannot_be_read_costs_no_other(sent: Sent, tmp_path: Path) -> None:
+    (tmp_path / "folder.zip").mkdir()
+    sources = (tmp_path / "folder.zip", tmp_path / "gone.zip", sent.results[1])
+    merged = sent.merge(tmp_path / "out", *sources)
+    assert codes(merged.findings) == ["V722", "V722", "V726"]
+    assert [d.headline.partition("`")[2][:8] for d in merged.findings[:2]] == [
+        "folder.z",
+        "gone.zip",
+    ]
+    assert len(merged.rows) == 3
+
+
+def test_only_whole_signed_and_sound_results_are_there_already(sent: Sent, tmp_path: Path) -> None:
+    data = sent.shards[0].read_bytes()
+    shard = read_shard(data)
+
+    def there(path: Path) -> bool:
+        return is_of(path, shard, digest_of(data))
+
+    def without(members: dict[str, bytes]) -> None:
+        for name in [n for n in members if n.startswith(pseudonym(sent, "smith-ben"))]:
+            del members[name]
+
+    assert there(sent.results[0])
+    for change in (change_contents, drop_the_signature, forge_as_another_shard, unsign, spoil_text):
+        assert not there(changed(sent.results[0], tmp_path / "bad.zip", change)), change
+    assert not there(sent.results[1])
+    assert not there(lied(sent, tmp_path / "bad.zip", without))
+    assert not there(lied(sent, tmp_path / "bad.zip", change_mark))
 
 
 def test_rows_that_are_missing_or_strange_are_named(sent: Sent, tmp_path: Path) -> None:
