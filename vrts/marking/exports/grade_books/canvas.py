@@ -56,11 +56,11 @@ def canvas(given: Given, options: Options) -> Product:
     text = next((text for text in numbers if parsed(text) is not None), "")
     texts = [sheet.field(row, at) for row in range(1, len(sheet.rows))]
     sign = sign_of(texts, sheet.delimiter, options, WHAT)
-    refuse_comma(sign, any(tells(one) == "," for one in texts), options)
+    refuse_comma(sign, told=any(tells(one) == "," for one in texts))
     full = full_marks(text, sign, options)
     if full is None:
         raise no_points(f"the grade book does not tell what `{header[at]}` is worth")
-    column = Column(at, DECIMALS, 0, sign.writes)
+    column = Column(at, DECIMALS, 0, sign)
     slots = [Slot(_line(sheet, people, row), full, _left(sheet.field(row, at))) for row in students]
     return fill(NAME, sheet, column, slots, given, options)
 

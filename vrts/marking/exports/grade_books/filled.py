@@ -6,9 +6,10 @@ from typing import NamedTuple
 
 from vrts.base.diagnostic import Diagnostic, Rule, warning
 from vrts.base.safe_names import safe
-from vrts.base.written_numbers import parsed
+from vrts.base.written_numbers import read_number
 from vrts.marking.exports.feedback import FINAL, feedback_html
 from vrts.marking.exports.given import Given, Options, Product, Returned
+from vrts.marking.exports.grade_books.decimal_sign import Sign
 from vrts.marking.exports.grade_books.matching import Line, match
 from vrts.marking.exports.grade_books.sheet import Sheet
 from vrts.marking.exports.numbers import decimal
@@ -30,7 +31,7 @@ class Column(NamedTuple):
     at: int
     most: int  # decimals at most
     least: int  # decimals at least
-    point: str
+    sign: Sign
     comments: int | None = None  # column of comments
 
 
@@ -64,8 +65,8 @@ def fill(
             continue
         value = final * slot.full / row.result.exact_total
         old = sheet.field(line.row, column.at)
-        new = decimal(value, least=column.least, most=column.most, point=column.point)
-        if old and parsed(old) != parsed(new):
+        new = decimal(value, least=column.least, most=column.most, point=column.sign.writes)
+        if old and read_number(old, column.sign.reads) != read_number(new, column.sign.writes):
             replaced.append(f"`{_title(line)}`: `{one_line(old)}` by {new}")
         texts[line.row, column.at] = new
         if options.comments and _may_comment(sheet, line.row, column.comments):

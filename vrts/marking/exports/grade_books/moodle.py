@@ -47,7 +47,7 @@ def moodle(given: Given, options: Options) -> Product:
     full = _full_marks_column(sheet, grade, rows)
     texts = [sheet.field(row, at) for row in rows for at in (grade, full or grade)]
     sign = sign_of(texts, sheet.delimiter, options, WHAT)
-    least = decimals(texts)
+    least = decimals(texts, sign)
     comments = next((k for k, title in enumerate(header) if title.casefold() in COMMENTS), None)
     before = grade if full is None else full
     slots = [
@@ -58,7 +58,7 @@ def moodle(given: Given, options: Options) -> Product:
         )
         for row, number in people
     ]
-    column = Column(grade, MOST_DECIMALS, min(least, MOST_DECIMALS), sign.writes, comments)
+    column = Column(grade, MOST_DECIMALS, min(least, MOST_DECIMALS), sign, comments)
     return fill(NAME, sheet, column, slots, given, options)
 
 

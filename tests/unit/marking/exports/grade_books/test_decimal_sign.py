@@ -22,11 +22,17 @@ def student() -> Row:
     return row("s11", 8.5, student=Student("Anna", ids={"moodle": "11", "canvas": "11"}))
 
 
-def worksheet(full: str, grade: str = "", delimiter: str = ";", decimal: str = "") -> str:
+def worksheet(
+    full: str,
+    grade: str = "",
+    delimiter: str = ";",
+    decimal: str = "",
+    points: Fraction | None = None,
+) -> str:
     head = GERMAN if delimiter == ";" else ENGLISH
     fields = ["Teilnehmer/in11", "Anna", "a@b.at", "Abgegeben", grade, f'"{full}"', "Ja"]
     data = (head + delimiter.join(fields) + "\r\n").encode()
-    how = Options(fill=Page("w.csv", data), comments=False, decimal=decimal)
+    how = Options(fill=Page("w.csv", data), comments=False, decimal=decimal, points=points)
     ((_, filled),) = moodle(given([student()]), how).files
     return filled.decode().splitlines()[1].split("Abgegeben" + delimiter)[1]
 
@@ -84,7 +90,42 @@ def test_full_marks_with_two_readings_are_refused_until_somebody_tells() -> None
     assert refused(worksheet, "10,000").startswith("V757 `10,000` may be 10000 or 10: nothing")
     assert refused(worksheet, "10.000").startswith("V757")
     assert worksheet("10,000", decimal=",") == '8,500;"10,000";Ja'
-    assert worksheet("10,000", delimiter=",", decimal=".").startswith("8500")
+    assert worksheet("10,000", delimiter=",", decimal=".") == '8500,"10,000",Ja'
+
+
+def test_points_alone_do_not_tell_how_a_file_is_written() -> None:
+    """Where `1,250` is all that stands there, 1062.5 could become 1062,5 in an English file."""
+    for full in ("1,250", "1.250"):
+        assert refused(worksheet, full, points=Fraction(1250)).startswith("V757")
+    english = worksheet("1,250", delimiter=",", decimal=".", points=Fraction(1250))
+    assert english == '1062.5,"1,250",Ja'
+    assert worksheet("1,250", decimal=",", points=Fraction(100)) == '85,000;"1,250";Ja'
+    book = (BOOK.format('"1,250"') + "Ady;11;;;A;\n").replace(";", ",")
+    how = Options(fill=Page("g.csv", book.encode()), points=Fraction(1250))
+    assert refused(canvas, given([student()]), how).startswith("V757 `1,250` may be 1250 or 1.25")
+    ((_, data),) = canvas(given([student()]), how._replace(decimal=".")).files
+    assert data.decode().endswith("Ady,11,,,A,1062.5\n")
+    assert refused(canvas, given([student()]), how._replace(decimal=",")).startswith("V758")
+
+
+def test_a_file_with_both_signs_is_refused_until_somebody_tells() -> None:
+    said = refused(worksheet, "100.00", grade="7,5", points=Fraction(100))
+    assert said.startswith("V757 the grading worksheet of Moodle has `7,5` and `100.00`: nothing")
+    assert worksheet("100.00", grade="7,5", decimal=",").startswith("85,00;")
+    assert worksheet("100.00", grade="7,5", decimal=".").startswith("85.00;")
+
+
+def test_what_stood_there_is_read_as_the_file_writes_it() -> None:
+    """1.234 is a thousand in a file with decimal commas: it is replaced by another number."""
+
+    def replaced(grade: str, mark: float) -> list[str]:
+        text = GERMAN + f"Teilnehmer/in11;Anna;a@b.at;x;{grade};10,00;Ja\r\n"
+        how = Options(fill=Page("w.csv", text.encode()), comments=False)
+        one = row("s11", mark, student=Student("Anna", ids={"moodle": "11"}))
+        return [d.rule.code for d in moodle(given([one]), how).diagnostics]
+
+    assert replaced("8,50", 8.5) == []
+    assert replaced("1.200", 1.2) == ["V747"]
 
 
 def test_a_wish_against_the_file_is_refused_with_the_reason() -> None:
