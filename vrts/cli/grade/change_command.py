@@ -35,8 +35,9 @@ class Points(click.ParamType[Fraction]):
         from vrts.base.written_numbers import Doubtful, read_number
 
         try:
-            read_number(str(value))
-            points = Fraction(str(value).replace(",", "."))
+            points = read_number(str(value))
+            if points is None:  # other spellings: +0.5, .5, 1/2
+                points = Fraction(str(value).replace(",", "."))
         except Doubtful:
             self.fail(f"`{value}` may be a thousand: write decimals with a point", param, ctx)
         except (ValueError, ZeroDivisionError):

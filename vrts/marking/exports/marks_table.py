@@ -23,7 +23,6 @@ COLUMNS = (
     "deduction",
     "change",
     "final",
-    "unsafe",
     "lowest",
     "late",
     "reason",
@@ -36,6 +35,7 @@ COLUMNS = (
     "duration_s",
     "contacts",
     "key",
+    "unsafe",  # behind all else: some read the columns by place
 )
 
 
@@ -87,7 +87,6 @@ def _fields(row: Row, point: str, delimiter: str) -> Iterator[str]:
     yield number(None if late is None or late.review else Fraction(late.deduction))
     yield number(None if change is None else Fraction(change.delta))
     yield number(row.exact_final, 1)
-    yield text("; ".join(f"{doubt.reason.value}: {doubt.sentence}" for doubt in row.unsafe))
     yield measured(result.lowest)
     yield text("" if late is None else late.sentence)
     yield text("" if change is None else change.reason)
@@ -100,3 +99,4 @@ def _fields(row: Row, point: str, delimiter: str) -> Iterator[str]:
     yield measured(result.metrics.duration_s)
     yield "" if result.metrics.contacts is None else str(result.metrics.contacts)
     yield result.key
+    yield text("; ".join(f"{doubt.reason.value}: {doubt.sentence}" for doubt in row.unsafe))

@@ -73,7 +73,8 @@ def _item(row: Row, *, pages: bool) -> Markup:
         if lowest < result.mark:
             text = f"{tenth(lowest)} to {text}"
         width = max(0.0, result.mark - lowest)
-        style = f"left:{10 * lowest:.0f}%;width:{10 * width:.0f}%"
+        percent = 100 / result.total
+        style = f"left:{percent * lowest:.0f}%;width:{percent * width:.0f}%"
         bar = element("span", element("i", style=style), class_="range", aria_hidden="true")
         marks = element("span", element("b", text), class_="range-words")
     words = element("span", *_lines(reasons(row)), class_="why")

@@ -35,6 +35,15 @@ def test_a_line_tells_marks_and_why() -> None:
     assert (line["status"], line["late"], line["changed by"]) == ("graded", "1 h late", "R. Huber")
 
 
+def test_columns_of_before_keep_their_places() -> None:
+    """Some scripts read by place: what is new comes behind."""
+    assert COLUMNS[:13] == (
+        *("id", "name", "email", "login", "ids", "file", "received", "status", "mark"),
+        *("deduction", "change", "final", "lowest"),
+    )
+    assert COLUMNS[-2:] == ("key", "unsafe")
+
+
 def test_with_semicolons_numbers_have_a_comma() -> None:
     (line,) = read(marks_csv(Class("vrts.class/1", "L", (row(),)), ";"), ";")
     assert line["final"] == "8,5"

@@ -99,6 +99,12 @@ def test_the_slowest_and_those_that_touch_most_are_listed() -> None:
     assert contacts.index("s09") < contacts.index("s18")
 
 
+@pytest.mark.parametrize("total", [10, 100])
+def test_the_bar_of_a_doubtful_mark_lies_within_the_total(total: int) -> None:
+    row = plain_row(mark=0.8 * total, lowest=0.6 * total, total=float(total))
+    assert 'style="left:60%;width:20%"' in overview_page(Class("vrts.class/1", "Lab", (row,)))
+
+
 def test_every_status_is_counted_and_can_be_chosen() -> None:
     rows = [plain_row(f"s{k}", kind=kind) for k, kind in enumerate(Kind)]
     read = page(*rows, plain_row("more"))
