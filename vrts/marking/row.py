@@ -14,6 +14,7 @@ from vrts.marking.result import Damaged, Exact, Mark, Record, Result, check_mark
 from vrts.marking.unsafe import Doubt, Reason, doubts
 
 CLASS_SCHEMA = "vrts.class/1"
+OF_SESSION = "the last session of the room in which something was done"  # `why` of a hand-in
 LARGEST = 512_000_000  # bytes of the rows of a class
 
 
@@ -75,6 +76,11 @@ class Row(Record, frozen=True):
     def exact_final(self) -> Fraction | None:
         """The final mark, a multiple of a tenth."""
         return None if self.final is None else Fraction(round(self.final * 10), 10)
+
+    @property
+    def of_session(self) -> bool:
+        """Whether it is a session of the live server, for which nobody handed in a file."""
+        return self.handed_in.why == OF_SESSION
 
 
 class Class(Record, frozen=True):
@@ -155,9 +161,15 @@ def final_mark(
     return to_tenth(value, total)
 
 
-def class_to_bytes(rows: Class) -> bytes:
-    """Return the rows of a class as JSON, laid out for people: unsafe marks counted, and first."""
-    return msgspec.json.format(msgspec.json.encode(counted(rows)), indent=1) + b"\n"
+def class_to_bytes(rows: Class, *, judged: bool = True) -> bytes:
+    """Return the rows of a class as JSON, laid out for people: unsafe marks counted, and first.
+
+    Args:
+        rows: Of the class.
+        judged: Whether all that may make a mark unsafe was looked at; else nothing is counted.
+    """
+    told = counted(rows) if judged else msgspec.structs.replace(counted(rows), unsafe=None)
+    return msgspec.json.format(msgspec.json.encode(told), indent=1) + b"\n"
 
 
 def class_from_bytes(data: bytes) -> Class:

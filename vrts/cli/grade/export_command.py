@@ -123,7 +123,9 @@ def command(
 
     Nothing that may be taken for final is written while marks are unsafe: late without a time,
     ambiguous, undetermined, and so on. `vrts grade change` decides one of them, `--despite` accepts
-    them; then the export says so. Only json, junit and sarif are written in any case.
+    them; then the export says so. Only json, junit and sarif are written in any case. For
+    gradescope, prairielearn and classroom50 lateness is the platform's business: there nobody asks
+    when it came.
 
     After marking with --pseudonyms, the files for Moodle and Canvas and the table have the names
     again, from OUT/staff/names.csv. All other files stay without names.
@@ -131,8 +133,8 @@ def command(
     from vrts.marking.appeals.written import read_written
     from vrts.marking.by_hand.overrides import with_overrides
     from vrts.marking.exports.autograders.classroom50 import from_environment
+    from vrts.marking.exports.earlier_marks import with_times_judged
     from vrts.marking.exports.given import Options
-    from vrts.marking.exports.unsafe_marks import untold
     from vrts.pipeline.refused import Refused
 
     if decimal is not None and not set(names) & set(WITH_DECIMALS):
@@ -145,7 +147,7 @@ def command(
     options = Options(
         given_page(fill),
         column,
-        _full_marks(points),
+        _full_marks(points, DECIMALS.get(decimal or "", "")),
         not no_comments,
         delimiter or (";" if decimal == "comma" else ","),
         not no_pages,
@@ -154,8 +156,9 @@ def command(
         DECIMALS.get(decimal or "", ""),
         frozenset(despite),
     )
-    show_diagnostics(untold(written.rows), color)
-    export(names, with_overrides(written.rows, overrides), written.layout, options, color, target)
+    rows, said = with_times_judged(written.rows, written.about.place)
+    show_diagnostics(said, color)
+    export(names, with_overrides(rows, overrides), written.layout, options, color, target)
 
 
 def given_page(path: Path | None) -> "Page | None":
@@ -177,28 +180,28 @@ def export(
     """Write a class in some formats, and say what was written."""
     from vrts.marking.exports.write import write_exports
 
-    paths = write_exports(
+    write_exports(
         tuple(dict.fromkeys(names)),
         rows,
         layout,
         options,
         tell=lambda found: show_diagnostics(found, color),
+        wrote=lambda path: say(f"wrote {path}"),
         target=target,
     )
-    for path in paths:
-        say(f"wrote {path}")
 
 
-def _full_marks(text: str | None) -> Fraction | None:
-    """Return what full marks are worth, exactly; a comma will do."""
+def _full_marks(text: str | None, point: str) -> Fraction | None:
+    """Return what full marks are worth, exactly; a comma will do, or `point` says what it parts."""
     from vrts.base.written_numbers import Doubtful, read_number
 
     if text is None:
         return None
     try:
-        found = read_number(text)
+        found = read_number(text, point)
     except Doubtful:
-        fail(f"`{text}` may be a thousand or not", ("write decimals with a point, 1.234",))
+        hint = "write decimals with a point, 1.234, or say `--decimal`"
+        fail(f"`{text}` may be a thousand or not", (hint,))
     if found is None or not 0 < found <= MOST_POINTS:
         fail(f"`{text}` is no number of points", (f"write a number up to {MOST_POINTS:,}",))
     return found

@@ -2,6 +2,7 @@
 
 import os
 import random
+import shlex
 import sys
 from datetime import UTC, datetime
 from pathlib import Path
@@ -49,6 +50,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from vrts.marking.about import About
+    from vrts.marking.exports.given import Page
     from vrts.marking.layout import Layout
     from vrts.marking.marking import Done
     from vrts.marking.row import Row
@@ -195,6 +197,7 @@ def command(
         fail("`--pseudonyms` needs a folder for results", ("name it with `-o`",))
     if layout is not None and not pseudonyms:
         require_names(layout)
+    page = given_page(fill)
     where = None if backend is None else read_backend(backend)
     how = HowTo(
         jobs or os.cpu_count() or 1,
@@ -215,16 +218,16 @@ def command(
             say(f"note: {remark}")
         if layout is not None:
             write_lists(marker, marked, layout, about, color)
-    if layout is not None and formats:
-        _export(formats, marked, layout, fill, despite, color)
     if form == "json":
         from vrts.marking.row import class_to_bytes
 
         out(class_to_bytes(marked.rows).decode().rstrip("\n"))
-    same = not verify or _same_again(marker, marked, sample, how.jobs)
+    good = not verify or _same_again(marker, marked, sample, how.jobs)
+    if layout is not None and formats:
+        good = _export(formats, marked, layout, page, despite, color) and good
     if any(done.result.is_fault for done in marked.done):
         sys.exit(FAULT)
-    sys.exit(HOLDS if same else WRONG)
+    sys.exit(HOLDS if good else WRONG)
 
 
 def _same_again(marker: "Marker", marked: "Marked", count: int, jobs: int) -> bool:
@@ -245,14 +248,24 @@ def _export(
     formats: "Sequence[str]",
     marked: "Marked",
     layout: "Layout",
-    fill: Path | None,
+    page: "Page | None",
     despite: "Sequence[str]",
     color: str,
-) -> None:
+) -> bool:
+    """Write the marks in other formats; return whether all were written."""
     from vrts.marking.exports.given import Options
+    from vrts.marking.row import counted
+    from vrts.pipeline.refused import Refused
 
-    options = Options(given_page(fill), now=datetime.now(UTC), despite=frozenset(despite))
-    export(formats, marked.rows, layout, options, color)
+    options = Options(page, now=datetime.now(UTC), despite=frozenset(despite))
+    try:
+        export(formats, counted(marked.rows), layout, options, color)
+    except Refused as problem:
+        show_diagnostics(problem.diagnostics, color)
+        where = shlex.quote(str(layout.root))
+        warn(f"help: `vrts grade export {where}` exports what is marked, and takes more options")
+        return False
+    return True
 
 
 def _mark(
@@ -342,4 +355,4 @@ def write_lists(
     say(f"wrote {layout.overview}")
     without = ", without the hidden checks" if marker.hidden else ""
     say(f"wrote {layout.root / 'students'}, to be sent to each{without}")
-    show_diagnostics(after_marking(marked.rows), color)
+    show_diagnostics(after_marking(marked.rows, layout.root), color)

@@ -122,7 +122,7 @@ def command(
     show_diagnostics(marker.whole.stamps, color)
     if layout is not None:
         _write(rows, about, layout)
-        show_diagnostics(after_marking(rows), color)
+        show_diagnostics(after_marking(rows, layout.root), color)
     if form == "json":
         from vrts.marking.row import class_to_bytes
 

@@ -11,9 +11,8 @@ from vrts.marking.by_hand.overrides import NONE, with_change
 from vrts.marking.layout import Layout
 from vrts.marking.marking import Entry, mark_class
 from vrts.marking.result import Kind
-from vrts.marking.row import HandedIn, Lateness, Row, Student, row_of
+from vrts.marking.row import OF_SESSION, HandedIn, Lateness, Row, Student, row_of
 
-WHY = "the last session of the room in which something was done"
 UNJUDGED = Lateness(
     0,
     "0",
@@ -55,7 +54,8 @@ def mark_sessions(
         ):
             room = by_name[done.entry.identifier]
             late = None if task.late is None or not done.result.mark else UNJUDGED
-            row = row_of(done.result, Student(name=room.name), HandedIn(room.origin, WHY), late)
+            handed_in = HandedIn(room.origin, OF_SESSION)
+            row = row_of(done.result, Student(name=room.name), handed_in, late)
             yield with_change(row, changes), done.reused
 
 

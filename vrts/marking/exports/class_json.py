@@ -7,4 +7,5 @@ from vrts.marking.row import class_to_bytes
 def class_json(given: Given, options: Options) -> Product:
     """Return the document."""
     del options
-    return Product([("class.json", class_to_bytes(given.whole))])
+    whole = given.whole
+    return Product([("class.json", class_to_bytes(whole, judged=whole.unsafe is not None))])

@@ -26,6 +26,7 @@ class Format(NamedTuple):
     fills: bool = False  # whether it fills in a file of the teacher's
     names: bool = False  # whether it is of use with names only, also after marking without
     final: bool = True  # whether its marks go to grade books or students, who take them for final
+    lateness: bool = True  # whether unknown lateness is unsafe; else the platform judges it
 
 
 FORMATS: dict[str, Format] = {
@@ -35,9 +36,9 @@ FORMATS: dict[str, Format] = {
     "canvas": Format(canvas, "the grade book of Canvas, filled in", fills=True, names=True),
     "moodle-feedback": Format(moodle_feedback, "zip of feedback files for Moodle", names=True),
     "folders": Format(folders, "a folder of feedback for each student"),
-    "gradescope": Format(gradescope, "results.json of each submission"),
-    "prairielearn": Format(prairielearn, "results.json of each submission"),
-    "classroom50": Format(classroom50, "result.json of the submission of a run"),
+    "gradescope": Format(gradescope, "results.json of each submission", lateness=False),
+    "prairielearn": Format(prairielearn, "results.json of each submission", lateness=False),
+    "classroom50": Format(classroom50, "result.json of the submission of a run", lateness=False),
     "junit": Format(junit, "JUnit XML, a suite for each submission", final=False),
     "sarif": Format(findings, "what was found in all submissions", final=False),
 }

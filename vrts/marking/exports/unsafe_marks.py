@@ -1,17 +1,25 @@
 """What is said about the unsafe marks of a class: after marking, and when they are exported."""
 
+import shlex
 from collections.abc import Collection, Sequence
+from pathlib import Path
 from typing import NamedTuple
 
-from vrts.base.diagnostic import Diagnostic, Rule, Severity, error, warning
-from vrts.marking.row import Class, Row
+import msgspec
+
+from vrts.base.diagnostic import Diagnostic, Rule, error, warning
+from vrts.marking.row import Class, Row, counted
 from vrts.marking.unsafe import ALL, REMEDIES, Reason
 from vrts.report.plain import one_line
 
 UNSAFE = Rule("V753", "unsafe-mark")
-TIMES_UNTOLD = Rule("V754", "lateness-untold")
 
+OUT = Path("OUT")  # stands for the folder of a marking that is not known
 SHOWN = 10  # names in a sentence
+OF_SESSIONS = {
+    Reason.AMBIGUOUS: "look at the log of the room, and decide by hand",
+    Reason.LATE: "nothing tells when a session was due: decide by hand",
+}  # remedies where those of files do not help
 
 
 class Unsafe(NamedTuple):
@@ -33,34 +41,66 @@ def unsafe_rows(rows: Class, despite: Collection[str] = ()) -> tuple[Unsafe, ...
     found: list[Unsafe] = []
     for row in rows.rows:
         reasons = dict.fromkeys(doubt.reason for doubt in row.unsafe)
-        counted = tuple(reason for reason in reasons if reason.value not in despite)
-        if counted:
-            found.append(Unsafe(row, counted))
+        counts = tuple(reason for reason in reasons if reason.value not in despite)
+        if counts:
+            found.append(Unsafe(row, counts))
     return tuple(found)
 
 
-def after_marking(rows: Class) -> tuple[Diagnostic, ...]:
-    """Return a warning that counts and names the unsafe marks; none where all are safe."""
+def without_lateness(rows: Class) -> Class:
+    """Return a class as platforms want it that judge lateness themselves: it makes nothing unsafe.
+
+    Deductions that are known stay.
+    """
+    kept = tuple(
+        msgspec.structs.replace(
+            row, unsafe=tuple(doubt for doubt in row.unsafe if doubt.reason is not Reason.LATE)
+        )
+        for row in rows.rows
+    )
+    judged = msgspec.structs.replace(rows, rows=kept)
+    return judged if rows.unsafe is None else counted(judged)
+
+
+def after_marking(rows: Class, folder: Path = OUT) -> tuple[Diagnostic, ...]:
+    """Return a warning that counts and names the unsafe marks; none where all are safe.
+
+    Args:
+        rows: Of the class.
+        folder: That the marking wrote.
+    """
     found = unsafe_rows(rows)
     if not found:
         return ()
     note = "they come first in every list; an export keeps marks back while there are any"
     headline = f"{_count(found, rows)}: {_names(found)}"
-    return (warning(UNSAFE, headline, notes=(note,), help=_remedies(found, Severity.WARNING)),)
+    help_ = (*_remedies(found), _by_hand(found[0].row, folder))
+    return (warning(UNSAFE, headline, notes=(note,), help=help_),)
 
 
-def refusal(rows: Class, despite: Collection[str]) -> tuple[Diagnostic, ...]:
+def refusal(
+    rows: Class, despite: Collection[str], folder: Path = OUT, kept: Sequence[str] = ()
+) -> tuple[Diagnostic, ...]:
     """Return why marks are not exported; nothing where they may be.
 
     Args:
         rows: Of the class.
         despite: Values of reasons that somebody accepts, or `all`.
+        folder: That the marking wrote.
+        kept: Formats that are not written, where others are.
     """
     found = unsafe_rows(rows, despite)
     if not found:
         return ()
-    headline = f"{_count(found, rows)}, so nothing is written: {_names(found)}"
-    return (error(UNSAFE, headline, help=_remedies(found, Severity.ERROR)),)
+    names = ", ".join(f"`{name}`" for name in kept)
+    what = f"{names} {'is' if len(kept) == 1 else 'are'} not" if kept else "nothing is"
+    headline = f"{_count(found, rows)}, so {what} written: {_names(found)}"
+    there = {reason for one in found for reason in one.reasons}
+    wanted = [reason for reason in Reason if reason in there or reason.value in despite]
+    typed = " ".join(f"--despite {reason.value}" for reason in wanted)
+    as_they_are = f"or write them as they are: `{typed}`, or `--despite {ALL}`"
+    help_ = (*_remedies(found), _by_hand(found[0].row, folder), as_they_are)
+    return (error(UNSAFE, headline, help=help_),)
 
 
 def closing(rows: Class) -> tuple[Diagnostic, ...]:
@@ -70,17 +110,6 @@ def closing(rows: Class) -> tuple[Diagnostic, ...]:
         return ()
     headline = f"{_count(found, rows)}, and the export was made despite that: {_names(found)}"
     return (warning(UNSAFE, headline),)
-
-
-def untold(rows: Class) -> tuple[Diagnostic, ...]:
-    """Return a warning where an earlier vrts marked hand-ins without times: it did not tell."""
-    without = [row for row in rows.rows if row.handed_in.received is None and row.final]
-    if rows.unsafe is not None or not without:
-        return ()
-    what = "hand-in has" if len(without) == 1 else "hand-ins have"
-    headline = f"{len(without)} {what} no time, and the vrts that marked them did not judge that"
-    remedy = "mark the class again: what is there already is not made twice"
-    return (warning(TIMES_UNTOLD, headline, help=(remedy,)),)
 
 
 def _count(found: Sequence[Unsafe], rows: Class) -> str:
@@ -96,20 +125,25 @@ def _names(found: Sequence[Unsafe]) -> str:
     return ", ".join(told) + (f" and {rest} more" if rest > 0 else "")
 
 
-def _remedies(found: Sequence[Unsafe], severity: Severity) -> tuple[str, ...]:
-    there = {reason for one in found for reason in one.reasons}
-    counts = {reason: sum(reason in one.reasons for one in found) for reason in Reason}
-    ways = [
-        f"{reason.value} ({counts[reason]}): {REMEDIES[reason]}"
-        for reason in Reason
-        if reason in there
-    ]
-    one, *_ = found
-    reason = one.reasons[0].value
-    by_hand = f"`vrts grade change {one_line(one.row.id)} --mark N`"
-    if one.row.final is not None:
-        by_hand += f" or `--delta 0 --settles {reason}`"
-    ways.append(f"or decide a mark by hand: {by_hand}")
-    if severity is Severity.ERROR:
-        ways.append(f"or write them as they are: `--despite {reason}`, or `--despite {ALL}`")
-    return tuple(ways)
+def _remedies(found: Sequence[Unsafe]) -> list[str]:
+    """Return for each reason that is there how often it is, and what to do."""
+    ways: list[str] = []
+    for reason in Reason:
+        rows = [one.row for one in found if reason in one.reasons]
+        if rows:
+            sessions = reason in OF_SESSIONS and all(row.of_session for row in rows)
+            remedy = OF_SESSIONS[reason] if sessions else REMEDIES[reason]
+            ways.append(f"{reason.value} ({len(rows)}): {remedy}")
+    return ways
+
+
+def _by_hand(row: Row, folder: Path) -> str:
+    """Return how to decide a mark by hand, as it can be typed."""
+    who, where = shlex.quote(one_line(row.id)), shlex.quote(str(folder))
+    typed = f"`vrts grade change {who} --from {where} --mark N --reason WHY --who YOU`"
+    if row.final is None:
+        return f"or decide a mark by hand: {typed}"
+    reasons = dict.fromkeys(doubt.reason.value for doubt in row.unsafe)
+    settles = " ".join(f"--settles {reason}" for reason in reasons)
+    as_it_is = f"`--delta 0 {settles}` in place of `--mark N`"
+    return f"or decide a mark by hand: {typed}, or with {as_it_is}"

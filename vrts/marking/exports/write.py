@@ -11,7 +11,7 @@ from vrts.marking.exports.formats import FORMATS
 from vrts.marking.exports.given import Given, Options, Page, returned
 from vrts.marking.exports.marks_table import NAME as MARKS
 from vrts.marking.exports.marks_table import marks_csv
-from vrts.marking.exports.unsafe_marks import closing, refusal
+from vrts.marking.exports.unsafe_marks import closing, refusal, unsafe_rows, without_lateness
 from vrts.marking.layout import RESULT, Layout, write_atomically
 from vrts.marking.privacy.pseudonyms import with_names
 from vrts.marking.result import Damaged, Result, from_bytes
@@ -32,9 +32,10 @@ def write_exports(
     options: Options,
     *,
     tell: Tell,
+    wrote: Callable[[Path], None] = lambda _: None,
     target: Path | None = None,
 ) -> list[Path]:
-    """Write a class in some formats.
+    """Write a class in some formats: those first whose marks nobody takes for final.
 
     Args:
         names: Of formats, as in `FORMATS`.
@@ -42,6 +43,7 @@ def write_exports(
         layout: Where marking wrote the students' own results and reports.
         options: How to export.
         tell: Takes what there is to say.
+        wrote: Takes each place as soon as it is written.
         target: The file to write where there is one only, else the folder; None: the folder
             `staff/exports`.
 
@@ -51,17 +53,18 @@ def write_exports(
     Raises:
         Refused: A file of the teacher's cannot be filled in, a student's result is missing, or
             marks that would be taken for final are unsafe, and not for reasons in
-            `options.despite`.
+            `options.despite`. Formats that this does not concern are written before.
     """
-    final = any(FORMATS[name].final for name in names)
-    kept_back = refusal(rows, options.despite) if final else ()
-    if kept_back:
-        raise Refused(kept_back)
-    given = read_given(rows, layout)
+    kept = [name for name in names if _is_kept_back(name, rows, options)]
+    free = sorted((name for name in names if name not in kept), key=lambda n: FORMATS[n].final)
     written: list[Path] = []
-    for name in names:
+    given = read_given(rows, layout) if free else None
+    for name in free:
+        assert given is not None
         form = FORMATS[name]
-        source = given._replace(whole=with_names(rows, layout)) if form.names else given
+        source = given._replace(whole=_judged([name], rows))
+        if form.names:
+            source = source._replace(whole=with_names(source.whole, layout))
         product = form.export(source, options)
         tell(product.diagnostics)
         files = iter(product.files)
@@ -69,16 +72,33 @@ def write_exports(
         if target is not None and len(names) == len(first) == 1 and not target.is_dir():
             write_atomically(target, first[0][1])
             written.append(target)
+            wrote(target)
             continue
         home = layout.staff / EXPORTS if target is None else target
+        places: dict[Path, None] = {}
         for file, data in chain(first, files):
             write_atomically(home / file, data)
-            place = home / Path(file).parts[0]
-            if place not in written:
-                written.append(place)
+            places[home / Path(file).parts[0]] = None
+        for place in places:
+            written.append(place)
+            wrote(place)
+    final = [name for name in free if FORMATS[name].final]
     if final:
-        tell(closing(rows))
+        tell(closing(_judged(final, rows)))
+    if kept:
+        others = kept if free else ()
+        raise Refused(refusal(_judged(kept, rows), options.despite, layout.root, others))
     return written
+
+
+def _is_kept_back(name: str, rows: Class, options: Options) -> bool:
+    """Return whether marks in a format would be taken for final, and somebody has to decide."""
+    return FORMATS[name].final and bool(unsafe_rows(_judged([name], rows), options.despite))
+
+
+def _judged(names: Sequence[str], rows: Class) -> Class:
+    """Return a class as the strictest of some formats wants it judged."""
+    return rows if any(FORMATS[name].lateness for name in names) else without_lateness(rows)
 
 
 def is_name(identifier: str) -> bool:

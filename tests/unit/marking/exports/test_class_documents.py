@@ -52,6 +52,7 @@ def suites(*found: Row) -> list[ElementTree.Element]:
 @of_any(found=rows())
 def test_the_document_of_any_class_is_the_published_one(found: tuple[Row, ...]) -> None:
     clean = given([one for one in found if not steering(one.student.name)])
+    clean = clean._replace(whole=counted(clean.whole))
     data = only(class_json(clean, Options()))
     jsonschema.validate(json.loads(data), schema("class"))
     assert class_from_bytes(data) == counted(clean.whole)

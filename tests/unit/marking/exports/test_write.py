@@ -85,6 +85,20 @@ def test_a_worksheet_is_filled_in(marked: Path, tmp_path: Path) -> None:
     assert "V743" in called.output
 
 
+@pytest.mark.parametrize(("decimal", "mark"), [("comma", "1,234"), ("point", "1234")])
+def test_points_are_read_with_the_sign_that_was_named(
+    marked: Path, tmp_path: Path, decimal: str, mark: str
+) -> None:
+    sheet = tmp_path / "worksheet.csv"
+    text = "Identifier;Full name;Grade;Maximum Grade\nParticipant 11;Anna Ady;;10\n"
+    sheet.write_text(text, "utf-8")
+    words = ("--to", "moodle", "--fill", sheet, "-o", tmp_path / "new.csv", "--points", "1,234")
+    assert export(marked, *words).exit_code == 2
+    called = export(marked, *words, "--decimal", decimal)
+    assert called.exit_code == 0, called.output
+    assert f"Ady;{mark};10" in (tmp_path / "new.csv").read_text("utf-8")
+
+
 def test_one_submission_is_one_file(marked: Path, tmp_path: Path) -> None:
     layout = Layout(marked)
     rows = class_from_bytes(layout.results.read_bytes())

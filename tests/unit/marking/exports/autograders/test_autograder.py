@@ -138,6 +138,18 @@ def test_one_submission_is_marked(root: Path) -> None:
     assert sum(test["score"] for test in found["tests"]) == 7
 
 
+def test_lateness_is_left_to_gradescope(tmp_path: Path) -> None:
+    shutil.copytree(EXAMPLE, tmp_path / "task")
+    with (tmp_path / "task" / "task.toml").open("a", encoding="utf-8") as task:
+        task.write("\n[late]\ndue = 2026-11-01T12:00:00+01:00\nper_day = 1\n")
+    root = unpacked(tmp_path / "task", tmp_path)
+    shutil.copy(EXAMPLE / "solution.v2", root / "submission" / "pick.v2")
+    found = run(root)
+    assert found["score"] == 10
+    assert "not sure" not in json.dumps(found)
+    assert "when it came" not in json.dumps(found)
+
+
 def test_hidden_checks_are_in_hidden_tests_only(tmp_path: Path) -> None:
     shutil.copytree(EXAMPLE, tmp_path / "task")
     (tmp_path / "task" / "staff").mkdir(exist_ok=True)
@@ -155,6 +167,14 @@ def test_hidden_checks_are_in_hidden_tests_only(tmp_path: Path) -> None:
     assert sum(test["score"] for test in seen if test["visibility"] == "visible") == 10
     assert "secret" not in json.dumps([seen, found["output"]])
     assert "more checks are made" in found["output"]
+
+
+def test_a_mark_without_the_hidden_checks_is_none(root: Path) -> None:
+    (root / "source" / "task.zip").write_bytes(student_zip(read_folder(EXAMPLE), 3))
+    shutil.copy(EXAMPLE / "solution.v2", root / "submission" / "pick.v2")
+    found = run(root)
+    assert found["score"] == 0
+    assert "could not be marked" in found["output"]
 
 
 def test_several_files_are_of_one_student(root: Path) -> None:
