@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from vrts.cli.grade.options import marking_option, settles_option
+from vrts.cli.grade.options import ALL, marking_option, settles_option
 from vrts.cli.shared.console import fail, guarded, out, say, show_diagnostics
 from vrts.cli.shared.options import color_option
 
@@ -81,24 +81,45 @@ def command(
     for one student are made one after the other.
 
     A mark that was unsafe is decided by `--mark`; by `--delta` (which may be 0) where `--settles`
-    names the reason. An export no longer asks for it then.
+    names the reason. An export no longer asks for it then. Where there is no mark, as for what
+    crashed, only `--mark` decides. A decision is about this program: it lapses with another one.
     """
     from vrts.marking.appeals.written import read_written
     from vrts.marking.by_hand.override_text import add_overrides
-    from vrts.marking.by_hand.overrides import Override, with_overrides
+    from vrts.marking.by_hand.overrides import Override, lapses, program_of, with_change
+    from vrts.report.plain import one_line
 
     if (delta is None) == (mark is None):
         fail("a change is either `--delta` or `--mark`")
     written = read_written(folder)
     row = written.row(student)
     today = day or date.today().isoformat()
-    added = Override(row.id, delta, mark, reason, who, today, settles)
+    decided = _decided(with_change(row, written.overrides()), settles, delta)
+    program = program_of(row.result) if decided or mark is not None else ""
+    added = Override(row.id, delta, mark, reason, who, today, decided, program)
     overrides = add_overrides(written.layout.overrides, [added], written.known, written.rows.total)
     show_diagnostics(overrides.diagnostics, color)
-    changed = with_overrides(written.rows, overrides)
-    after = next(other for other in changed.rows if other.id == row.id)
+    after = with_change(row, overrides)
+    show_diagnostics(lapses([after], overrides), color)
     out(f"{row.id}: {_mark(row)} until now, {_mark(after)} when the class is marked again")
+    for doubt in after.unsafe:
+        out(f"still unsafe: {doubt.reason.value}: {one_line(doubt.sentence)}")
     say(f"wrote {written.layout.overrides}")
+
+
+def _decided(row: "Row", settles: tuple[str, ...], delta: Fraction | None) -> tuple[str, ...]:
+    """Return the reasons that are decided; only those can be that the mark has now."""
+    there = tuple(dict.fromkeys(doubt.reason.value for doubt in row.unsafe))
+    if settles and delta is not None and row.result.mark is None:
+        fail(
+            f"`{row.id}` has no mark ({row.result.kind.value}), so `--delta` cannot settle it",
+            ("give the mark that it is to have with `--mark`",),
+        )
+    lacking = [reason for reason in settles if reason not in (*there, ALL)]
+    if lacking or (settles and not there):
+        now = f"it is for {', '.join(there)}" if there else "it is safe now"
+        fail(f"the mark of `{row.id}` is not unsafe for this reason: {now}")
+    return there if ALL in settles else settles
 
 
 def _mark(row: "Row") -> str:

@@ -59,10 +59,11 @@ def command(
     known = [row.id for row in after.rows]
     overrides = _overrides(new, known)
     if overrides is not None:
-        from vrts.marking.by_hand.overrides import with_overrides
+        from vrts.marking.by_hand.overrides import lapses, with_overrides
 
         show_diagnostics(overrides.diagnostics, color)
         after = with_overrides(after, overrides)
+        show_diagnostics(lapses(after.rows, overrides), color)
         changed = {row.id for row in before.rows if row.change is not None}
         lacking = sorted(changed & set(known) - set(overrides.changes))
         if lacking:

@@ -131,7 +131,7 @@ def command(
     again, from OUT/staff/names.csv. All other files stay without names.
     """
     from vrts.marking.appeals.written import read_written
-    from vrts.marking.by_hand.overrides import with_overrides
+    from vrts.marking.by_hand.overrides import lapses, with_overrides
     from vrts.marking.exports.autograders.classroom50 import from_environment
     from vrts.marking.exports.earlier_marks import with_times_judged
     from vrts.marking.exports.given import Options
@@ -156,9 +156,10 @@ def command(
         DECIMALS.get(decimal or "", ""),
         frozenset(despite),
     )
-    rows, said = with_times_judged(written.rows, written.about.place)
-    show_diagnostics(said, color)
-    export(names, with_overrides(rows, overrides), written.layout, options, color, target)
+    judged, said = with_times_judged(written.rows, written.about.place)
+    rows = with_overrides(judged, overrides)
+    show_diagnostics((*said, *lapses(rows.rows, overrides)), color)
+    export(names, rows, written.layout, options, color, target)
 
 
 def given_page(path: Path | None) -> "Page | None":

@@ -6,9 +6,10 @@ import click
 
 from vrts.cli.shared.options import Option, file_option
 
+ALL = "all"  # in place of reasons
 DESPITE = (
-    *("crashed", "resource", "ambiguous", "altered", "version", "hidden", "unchecked"),
-    *("undetermined", "late", "all"),
+    *("crashed", "resource", "ambiguous", "unread", "altered", "version", "hidden"),
+    *("unchecked", "undetermined", "late", ALL),
 )  # a test holds them against the reasons, which are imported when they are used
 
 results_option = file_option("-o", "--output", "folder", help="Folder for results.")

@@ -130,7 +130,7 @@ def versions() -> dict[str, str]:
 def _with_changes(written: Written, row: Row) -> Row:
     """Return a row with the changes by hand as they are now."""
     before = final_mark(row.result.exact_mark, row.late, None, row.result.exact_total)
-    change = change_of(before, written.overrides().changes.get(row.id, ()))
+    change = change_of(before, written.overrides().changes.get(row.id, ()), row.result)
     return row_of(row.result, row.student, row.handed_in, row.late, change)
 
 

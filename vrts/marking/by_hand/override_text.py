@@ -16,7 +16,8 @@ BEGINNING = """\
 # Changes of marks by hand. Marking reads this file and never writes over it.
 # Every [[change]] has a student, either delta (points to add) or mark (in place of the mark after
 # lateness), a reason, who decides, and a date. Those of one student are made one after the other.
-# `mark` settles whatever makes the mark unsafe, delta what it names: settles = ["late"]
+# `mark` settles whatever makes the mark unsafe, delta what it names: settles = ["late"]. Both do so
+# only while the `program` is the one with this sha256.
 """
 
 
@@ -66,7 +67,7 @@ def override_text(override: Override) -> str:
     return (
         f"[[change]]\nstudent = {_quoted(override.student)}\n{points}\n"
         f"reason = {_quoted(override.reason)}\nwho = {_quoted(override.who)}\n"
-        f"date = {_quoted(override.date)}\n{_settles(override)}"
+        f"date = {_quoted(override.date)}\n{_settles(override)}{_program(override)}"
     )
 
 
@@ -74,6 +75,10 @@ def _settles(override: Override) -> str:
     if not override.settles:
         return ""
     return f"settles = [{', '.join(map(_quoted, override.settles))}]\n"
+
+
+def _program(override: Override) -> str:
+    return f"program = {_quoted(override.program)}\n" if override.program else ""
 
 
 def _quoted(text: str) -> str:

@@ -2,11 +2,13 @@
 
 Every `[[change]]` names a student, and either `delta` (points to add) or `mark` (what the mark is
 to be after lateness), with a reason, who decides, and when. `mark` settles whatever makes the mark
-unsafe; `delta` what it names in `settles`. Those of one student are made in the order of the file.
-They stand beside the computed mark, and survive marking again.
+unsafe; `delta` what it names in `settles`, and nothing where there is no mark. Both settle that of
+one `program` only. Those of one student are made in the order of the file. They stand beside the
+computed mark, and survive marking again.
 """
 
-from collections.abc import Collection, Iterable, Mapping
+import re
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from datetime import date
 from difflib import get_close_matches
 from fractions import Fraction
@@ -15,17 +17,21 @@ from typing import NamedTuple
 
 import msgspec
 
-from vrts.base.diagnostic import Diagnostic, Label, Rule
+from vrts.base.diagnostic import Diagnostic, Label, Rule, warning
 from vrts.base.source import SourceFile, Span
 from vrts.base.toml.reading import Problems, Table, read_toml
 from vrts.check.rules.scheme import TOTAL
+from vrts.marking.result import Result
 from vrts.marking.row import Change, Class, Row, final_mark, row_of
 from vrts.marking.unsafe import ALL, REASONS
 
 CHANGE = Rule("V770", "change-by-hand")
 UNKNOWN_STUDENT = Rule("V771", "unknown-student")
+LAPSED = Rule("V774", "decision-lapsed")
 
 LONGEST = 1000  # characters of a reason
+NO_PROGRAM = "none"  # in place of the digest of one
+LOOK_AGAIN = "look again, and decide with `vrts grade change`, or delete the change"
 
 
 class Override(NamedTuple):
@@ -38,6 +44,7 @@ class Override(NamedTuple):
     who: str
     date: str  # ISO 8601
     settles: tuple[str, ...] = ()  # reasons why the mark was unsafe, or `all`
+    program: str = ""  # sha256 of what it is about, or NO_PROGRAM; "": the file does not say
 
 
 class Overrides(NamedTuple):
@@ -98,6 +105,7 @@ def _override(
     reason = _words(table, problems, "reason")
     who = _words(table, problems, "who")
     day = _date(table, problems)
+    program = _program(table, problems)
     settles = table.strings("settles") or ()
     for text in settles:
         if text not in (*REASONS, ALL):
@@ -130,7 +138,19 @@ def _override(
         return None
     if delta is None and mark is None:
         return None
-    return Override(student, delta, mark, reason, who, day, tuple(settles))
+    return Override(student, delta, mark, reason, who, day, tuple(settles), program)
+
+
+def _program(table: Table, problems: Problems) -> str:
+    text = table.string("program") or ""
+    if text and text != NO_PROGRAM and not re.fullmatch("[0-9a-f]{64}", text):
+        problems.error(
+            CHANGE,
+            "`program` is no sha256",
+            table.value_span("program"),
+            help=(f"write that of the program, 64 digits, or `{NO_PROGRAM}`",),
+        )
+    return text
 
 
 def _words(table: Table, problems: Problems, key: str) -> str | None:
@@ -161,12 +181,15 @@ def _date(table: Table, problems: Problems) -> str | None:
     return text
 
 
-def change_of(after_lateness: Fraction | None, overrides: Iterable[Override]) -> Change | None:
+def change_of(
+    after_lateness: Fraction | None, overrides: Iterable[Override], about: Result | None = None
+) -> Change | None:
     """Return what changes by hand come to, made one after the other; None where there are none.
 
     Args:
         after_lateness: The mark before they are made; None counts as 0.
         overrides: Of one student.
+        about: The result that they change; None: nothing is settled.
     """
     before = value = after_lateness or Fraction(0)
     made = tuple(overrides)
@@ -183,14 +206,58 @@ def change_of(after_lateness: Fraction | None, overrides: Iterable[Override]) ->
         "; ".join(override.reason for override in made),
         ", ".join(dict.fromkeys(override.who for override in made)),
         made[-1].date,
-        _settled(made),
+        () if about is None else _settled(made, about),
     )
 
 
-def _settled(made: Iterable[Override]) -> tuple[str, ...]:
+def _settled(made: Iterable[Override], result: Result) -> tuple[str, ...]:
     """Return what changes decide of what made a mark unsafe: a mark in its place, everything."""
-    found = (text for one in made for text in ((ALL,) if one.mark is not None else one.settles))
+    held = (one for one in made if not _flaw(one, result))
+    found = (text for one in held for text in ((ALL,) if one.mark is not None else one.settles))
     return tuple(dict.fromkeys(found))
+
+
+def program_of(result: Result) -> str:
+    """Return how a change names the program that it is about."""
+    return NO_PROGRAM if result.program is None else result.program.sha256
+
+
+def _flaw(override: Override, result: Result) -> str:
+    """Return why a change does not settle for a result what it says; "" where it does."""
+    if override.mark is None and result.mark is None:
+        return "where there is no mark only `mark` decides"
+    if override.program:
+        same = override.program == program_of(result)
+        return "" if same else "it was decided about another program"
+    if override.mark is not None:
+        return ""
+    return f'it does not say about which program: write `program = "{program_of(result)}"`'
+
+
+def lapses(rows: Sequence[Row], overrides: Overrides) -> tuple[Diagnostic, ...]:
+    """Return warnings of changes by hand that no longer settle what they say.
+
+    Args:
+        rows: With these changes.
+        overrides: Of the class.
+    """
+    return tuple(
+        warning(LAPSED, f"`{row.id}`: {what}", notes=(why,), help=(LOOK_AGAIN,))
+        for row in rows
+        for what, why in _lapsed(row, overrides.changes.get(row.id, ()))
+    )
+
+
+def _lapsed(row: Row, made: Sequence[Override]) -> Iterator[tuple[str, str]]:
+    """Yield what lapsed, and why, unless something later has decided it."""
+    given = (k for k, one in enumerate(made) if one.mark is not None and not _flaw(one, row.result))
+    open_now = {doubt.reason.value for doubt in row.unsafe}
+    for one in made[max(given, default=-1) + 1 :]:
+        why = _flaw(one, row.result)
+        if why and one.mark is not None:
+            yield f"the mark of {one.date} by {one.who} counts, and settles nothing", why
+        elif why and (open_now.intersection(one.settles) or (open_now and ALL in one.settles)):
+            yield f"the change of {one.date} by {one.who} settles nothing", why
 
 
 def with_overrides(rows: Class, overrides: Overrides) -> Class:
@@ -202,5 +269,5 @@ def with_overrides(rows: Class, overrides: Overrides) -> Class:
 def with_change(row: Row, overrides: Overrides) -> Row:
     """Return a row with the changes by hand that are for it, and no others."""
     after_lateness = final_mark(row.result.exact_mark, row.late, None, row.result.exact_total)
-    change = change_of(after_lateness, overrides.changes.get(row.id, ()))
+    change = change_of(after_lateness, overrides.changes.get(row.id, ()), row.result)
     return row_of(row.result, row.student, row.handed_in, row.late, change)

@@ -141,7 +141,7 @@ def _by_hand(row: Row, folder: Path) -> str:
     """Return how to decide a mark by hand, as it can be typed."""
     who, where = shlex.quote(one_line(row.id)), shlex.quote(str(folder))
     typed = f"`vrts grade change {who} --from {where} --mark N --reason WHY --who YOU`"
-    if row.final is None:
+    if row.result.mark is None:
         return f"or decide a mark by hand: {typed}"
     reasons = dict.fromkeys(doubt.reason.value for doubt in row.unsafe)
     settles = " ".join(f"--settles {reason}" for reason in reasons)

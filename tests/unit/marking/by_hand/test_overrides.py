@@ -8,8 +8,15 @@ import pytest
 from tests.unit.marking.appeals.support import class_of, row
 from vrts.base.source import SourceFile
 from vrts.marking.by_hand.override_text import add_overrides, load_overrides, override_text
-from vrts.marking.by_hand.overrides import Override, change_of, read_overrides, with_overrides
-from vrts.marking.row import Lateness
+from vrts.marking.by_hand.overrides import (
+    Override,
+    change_of,
+    lapses,
+    program_of,
+    read_overrides,
+    with_overrides,
+)
+from vrts.marking.row import Lateness, Row
 from vrts.pipeline.refused import Refused
 
 KNOWN = ("anna", "ben")
@@ -59,6 +66,11 @@ def test_a_change_is_read_exactly() -> None:
             "delta = 0.3",
             'delta = 0.3\nsettles = ["tardy"]',
             'V770 `tardy` is no reason why a mark is unsafe @ ["tardy"]',
+        ),
+        (
+            "delta = 0.3",
+            'delta = 0.3\nprogram = "mine"',
+            'V770 `program` is no sha256 @ "mine"',
         ),
         ("delta", "dleta", "V602 unknown key `dleta` in `[change 1]` @ dleta"),
         ("[[change]]", "[[changes]]", "V602 unknown key `changes` in the file @ changes"),
@@ -150,3 +162,59 @@ def test_a_wrong_file_is_left_as_it_is(tmp_path: Path) -> None:
     with pytest.raises(Refused):
         add_overrides(path, [same], KNOWN)
     assert path.read_text() == "[[change]\n"
+
+
+# what changes settle
+
+IN_DOUBT = row("anna", 8.0, lowest=6.0, review=())
+MINE = program_of(IN_DOUBT.result)
+
+
+def decided(
+    whole: Row, *said: str, settles: str = 'settles = ["undetermined"]'
+) -> tuple[Row, list[str]]:
+    """Return a row after changes that say something, and what is said of them."""
+    text = "\n".join(
+        WHOLE.replace("delta = 0.3", f"{one}\n{settles}").replace("camera", f"camera {k}")
+        for k, one in enumerate(said)
+    )
+    overrides = read_overrides(SourceFile("o.toml", text), KNOWN)
+    assert not overrides.diagnostics
+    (changed,) = with_overrides(class_of(whole), overrides).rows
+    return changed, [note for d in lapses([changed], overrides) for note in d.notes]
+
+
+def test_a_decision_is_about_one_program_and_lapses_with_another() -> None:
+    assert [d.reason.value for d in IN_DOUBT.unsafe] == ["undetermined"]
+    bound = f'delta = 0\nprogram = "{MINE}"'
+    changed, said = decided(IN_DOUBT, bound)
+    assert (changed.unsafe, said) == ((), [])
+    foreign = bound.replace(MINE, "0" * 64)
+    changed, said = decided(IN_DOUBT, foreign)
+    assert changed.unsafe == IN_DOUBT.unsafe
+    assert said == ["it was decided about another program"]
+    changed, said = decided(IN_DOUBT, "delta = 0")
+    assert changed.unsafe == IN_DOUBT.unsafe
+    assert said == [f'it does not say about which program: write `program = "{MINE}"`']
+    assert decided(IN_DOUBT, foreign, bound)[1] == [], "it was decided again"
+    assert decided(row("anna", 8.0), foreign)[1] == [], "there is nothing to settle"
+
+
+def test_a_mark_settles_that_of_its_program_and_counts_with_any() -> None:
+    for text in ("mark = 7", f'mark = 7\nprogram = "{MINE}"'):
+        changed, said = decided(IN_DOUBT, text, settles="")
+        assert (changed.unsafe, changed.final, said) == ((), 7.0, [])
+    foreign = 'mark = 7\nprogram = "none"'
+    changed, said = decided(IN_DOUBT, foreign, settles="")
+    assert (changed.unsafe, changed.final) == (IN_DOUBT.unsafe, 7.0)
+    assert said == ["it was decided about another program"]
+
+
+def test_where_there_is_no_mark_only_a_mark_decides() -> None:
+    lost = row("anna", None, program=None)
+    for settles in ('settles = ["resource"]', 'settles = ["all"]'):
+        changed, said = decided(lost, 'delta = 0\nprogram = "none"', settles=settles)
+        assert [d.reason.value for d in changed.unsafe] == ["resource"]
+        assert said == ["where there is no mark only `mark` decides"]
+    changed, said = decided(lost, 'mark = 0\nprogram = "none"', settles="")
+    assert (changed.unsafe, changed.final, said) == ((), 0.0, [])

@@ -5,7 +5,6 @@ import io
 import json
 import shutil
 import zipfile
-from fractions import Fraction
 from pathlib import Path
 
 import pytest
@@ -13,10 +12,8 @@ from click.testing import CliRunner, Result
 from msgspec.structs import replace
 
 from tests.places import ROOT
-from vrts.cli.grade import export_command, mark_command
+from vrts.cli.grade import change_command, export_command, mark_command
 from vrts.cli.grade.export_command import NAMES
-from vrts.marking.by_hand.override_text import add_overrides
-from vrts.marking.by_hand.overrides import Override
 from vrts.marking.exports.formats import FORMATS
 from vrts.marking.exports.given import Options
 from vrts.marking.exports.write import is_name, write_exports, write_marks_table
@@ -48,6 +45,10 @@ def marked(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def export(*words: object) -> Result:
     return CliRunner().invoke(export_command.command, [str(word) for word in words])
+
+
+def change(out: Path, who: str, *words: str) -> Result:
+    return CliRunner().invoke(change_command.command, [who, "--from", str(out), *words])
 
 
 def test_the_command_knows_every_format() -> None:
@@ -168,8 +169,16 @@ def test_unsafe_marks_are_kept_back_until_somebody_accepts_them(
     assert "the export was made despite that" in called.output
     assert f"This mark is not sure yet: {UNTIMED}." in (tmp_path / "w.csv").read_text("utf-8")
 
-    decided = Override(anna.id, Fraction(0), None, "came in time", "H", "2026-11-20", ("late",))
-    add_overrides(Layout(out).overrides, [decided], [anna.id, ben.id])
+    said = ("--reason", "came in time", "--who", "H", "--delta", "0")
+    assert change(out, anna.id, *said, "--settles", "hidden").exit_code == 2
+    assert change(out, ben.id, *said, "--settles", "all").exit_code == 2
+    assert not Layout(out).overrides.exists()
+    called = change(out, anna.id, *said)
+    assert f"still unsafe: late: {UNTIMED}" in called.output
+    called = change(out, anna.id, "--reason", "by mail", *said[2:], "--settles", "all")
+    assert called.exit_code == 0, called.output
+    assert "still unsafe" not in called.output
+    assert 'settles = ["late"]\nprogram = "' in Layout(out).overrides.read_text("utf-8")
     called = export(out, *words)
     assert called.exit_code == 0, called.output
     assert "despite" not in called.output
