@@ -1551,9 +1551,23 @@ PATCHES: tuple[Patch, ...] = (
     Patch(
         "what came without a time counts as on time",
         "vrts/marking/lateness.py",
-        "        if flags:",
+        "        if called_late is False:",
         "        if True:",
         ("tests/unit/marking/test_lateness.py",),
+    ),
+    Patch(
+        "a decision about one program settles another",
+        "vrts/marking/by_hand/overrides.py",
+        "same = override.program == program_of(result)",
+        "same = True",
+        ("tests/unit/marking/by_hand/test_overrides.py",),
+    ),
+    Patch(
+        "a file from elsewhere counts as one of Canvas",
+        "vrts/marking/intake/tables/edited_table.py",
+        "return any(flags) if flags and None not in flags else None",
+        "return any(flags)",
+        ("tests/unit/marking/intake/tables/test_table.py",),
     ),
     Patch(
         "unsafe marks go into a grade book without a word",

@@ -4,9 +4,10 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
+from vrts.base.diagnostic import Diagnostic, Rule, warning
 from vrts.check.task.late_rules import LateRules
 from vrts.marking.intake.candidate import data_of
-from vrts.marking.intake.row import Attempt, Platform
+from vrts.marking.intake.row import Attempt
 from vrts.marking.intake.row import Kind as Problem
 from vrts.marking.intake.row import Row as Found
 from vrts.marking.intake.tree.opening import Tree, Unreadable
@@ -19,7 +20,10 @@ KINDS = {
     Problem.MISSING: Kind.MISSING,
     Problem.AMBIGUOUS: Kind.AMBIGUOUS,
     Problem.EXCUSED: Kind.EXCUSED,
-}  # any other problem: the hand-in is unreadable
+    Problem.UNREADABLE: Kind.UNREAD,
+}  # any other problem: the hand-in is unreadable for anybody, and gets 0
+
+NOTHING_LATE = Rule("V756", "nothing-late")
 
 Mark = Callable[[Sequence[Entry]], Iterable[Done]]
 
@@ -98,18 +102,35 @@ def class_row(found: Found, result: Result, rules: LateRules | None) -> Row:
     )
 
 
+def nothing_late(rules: LateRules | None, found: Sequence[Found]) -> tuple[Diagnostic, ...]:
+    """Return a warning where Canvas calls nothing late and nothing else tells what is.
+
+    Canvas cannot call anything late in an assignment that has no due date there.
+    """
+    of_canvas = [row for row in found if row.file and row.flagged is not None]
+    untold = [row for row in of_canvas if row.received is None and row.late is None]
+    if rules is None or not untold or any(row.flagged for row in of_canvas):
+        return ()
+    one = len(untold) == 1
+    what = "1 hand-in has" if one else f"{len(untold)} hand-ins have"
+    headline = f"Canvas calls nothing LATE, and {what} no time: taken as on time"
+    note = "Canvas calls nothing late in an assignment that has no due date there"
+    remedies = (
+        "look whether the assignment has the task's due date in Canvas",
+        "if it has none, write times into the column `received` of the table of the intake",
+    )
+    return (warning(NOTHING_LATE, headline, notes=(note,), help=remedies),)
+
+
 def _entry(tree: Tree, identifier: str, title: str, file: str) -> Entry:
     try:
         return Entry(identifier, title, data_of(tree, file))
     except Unreadable as flaw:
-        return Entry(identifier, title, None, Kind.UNREADABLE, f"`{title}` {flaw}")
+        return Entry(identifier, title, None, Kind.UNREAD, f"`{title}` {flaw}")
 
 
 def _late(found: Found, result: Result, rules: LateRules | None) -> Lateness | None:
-    flags = Platform.CANVAS.value in found.student.ids  # Canvas calls late what is late
-    late = lateness(
-        rules, found.received, due=found.due, flagged_late=found.flagged_late, flags=flags
-    )
+    late = lateness(rules, found.received, due=found.due, called_late=found.called_late)
     nothing_came = result.kind in (Kind.MISSING, Kind.EXCUSED)
     if not late.sentence or (late.untimed and nothing_came):
         return None

@@ -10,8 +10,8 @@ from msgspec import structs
 
 from vrts.base.diagnostic import Diagnostic, Rule, error
 from vrts.marking.by_hand.override_text import load_overrides
-from vrts.marking.by_hand.overrides import with_change
-from vrts.marking.class_marks import class_row, entries
+from vrts.marking.by_hand.overrides import lapses, with_change
+from vrts.marking.class_marks import class_row, entries, nothing_late
 from vrts.marking.intake.tables.intake_table import write_rows
 from vrts.marking.intake.tree.opening import open_place
 from vrts.marking.layout import RESULT, Layout, write_atomically
@@ -86,7 +86,7 @@ def plan_class(
         table.path is not None,
     )
     plan = plan._replace(key=structs.replace(plan.key, home=home))
-    return PlannedClass(plan, remarks, taken.warnings)
+    return PlannedClass(plan, remarks, (*taken.warnings, *nothing_late(task.late, taken.rows)))
 
 
 def planned_marker(key: Key, home: AtHome) -> Marker:
@@ -145,7 +145,11 @@ def merged_class(marker: Marker, home: AtHome, layout: Layout) -> Marked:
         Class("vrts.class/1", task.title, rows),
         done,
         home.remarks,
-        changes.diagnostics,
+        (
+            *nothing_late(task.late, home.found),
+            *changes.diagnostics,
+            *lapses(rows, changes),
+        ),
         "" if home.edited else sha256(home.intake).hexdigest(),
         {row.identifier: row.group for row in home.found},
     )

@@ -43,8 +43,7 @@ def lateness(
     received: datetime | None,
     *,
     due: datetime | None = None,
-    flagged_late: bool = False,
-    flags: bool = False,
+    called_late: bool | None = None,
 ) -> Lateness:
     """Return how late a hand-in is.
 
@@ -52,15 +51,14 @@ def lateness(
         rules: Of the task; None: lateness costs nothing.
         received: When it came, told by the platform; None: not known.
         due: An own deadline of the student; closing moves along with it.
-        flagged_late: The platform calls it late.
-        flags: It is of a platform that says what is late: what it does not call late is on time.
+        called_late: What platform or teacher say: late, or on time; None: nobody says anything.
     """
     if rules is None:
         return UNJUDGED
     if received is None:
-        if flagged_late:
+        if called_late:
             return Lateness(None, NOTHING, closed=False, sentence=FLAGGED, review=True)
-        if flags:
+        if called_late is False:
             return UNJUDGED
         return Lateness(None, NOTHING, closed=False, sentence=UNTIMED, review=True, untimed=True)
     deadline = due or rules.due

@@ -35,9 +35,10 @@ class Kind(Enum):
     DOES_NOT_COMPILE = "does not compile"
     STOPPED = "stopped by an error"
     LIMIT = "stopped by a limit"
-    UNREADABLE = "unreadable"
+    UNREADABLE = "unreadable"  # for anybody: no text, empty, too large
     RESOURCE = "resource"  # the process was ended; never a mark
     AMBIGUOUS = "ambiguous"  # nobody can tell which file is meant
+    UNREAD = "not read"  # this machine could not read the file
     MISSING = "missing"  # nothing handed in
     EXCUSED = "excused"  # by the teacher
     FAULT = "fault"  # of vrts itself
@@ -45,7 +46,9 @@ class Kind(Enum):
 
 T = TypeVar("T")
 
-UNMARKED = frozenset({Kind.RESOURCE, Kind.AMBIGUOUS, Kind.MISSING, Kind.EXCUSED, Kind.FAULT})
+UNMARKED = frozenset(
+    {Kind.RESOURCE, Kind.AMBIGUOUS, Kind.UNREAD, Kind.MISSING, Kind.EXCUSED, Kind.FAULT}
+)
 
 Points = Annotated[float, Meta(description="points, rounded to six decimals")]
 Mark = Annotated[float, Meta(ge=0, le=LARGEST_TOTAL, description="a multiple of 0.1")]

@@ -7,7 +7,7 @@ from typing import Annotated
 from msgspec import Meta
 
 from vrts.check.mark.grade import NOT_CHECKED, REVIEW
-from vrts.check.task.manifest import ANOTHER_VERSION, NOT_COUNTING
+from vrts.check.task.manifest import ANOTHER_VERSION, IN_HIDDEN_SCENE
 from vrts.marking.result import Kind, Record, Result
 
 ALL = "all"  # in place of reasons: every one
@@ -19,6 +19,7 @@ class Reason(Enum):
     CRASHED = "crashed"  # vrts itself failed
     RESOURCE = "resource"  # the process was ended
     AMBIGUOUS = "ambiguous"  # nobody can tell which file is meant
+    UNREAD = "unread"  # the file is there, and could not be read
     ALTERED = "altered"  # task, scene or controller are not those that were handed out
     VERSION = "version"  # another vrts than the task wants
     HIDDEN = "hidden"  # hidden checks were not made
@@ -32,12 +33,14 @@ WITHOUT_MARK = {
     Kind.FAULT: Reason.CRASHED,
     Kind.RESOURCE: Reason.RESOURCE,
     Kind.AMBIGUOUS: Reason.AMBIGUOUS,
+    Kind.UNREAD: Reason.UNREAD,
 }
 TABLE = "`staff/intake.csv` (with pseudonyms: `staff/names.csv`)"
 REMEDIES = {
     Reason.CRASHED: "send `fault.txt` beside the grader's report to the makers of vrts",
     Reason.RESOURCE: "mark it again with fewer `--jobs`, or where there is more memory",
     Reason.AMBIGUOUS: f"name the file that is meant in {TABLE}, and mark again",
+    Reason.UNREAD: "make the file readable, or download it again, and mark again",
     Reason.ALTERED: "mark again with the task that was handed out",
     Reason.VERSION: "mark again with a vrts that the task names",
     Reason.HIDDEN: "mark again with the staff's task, in which the hidden checks are",
@@ -86,7 +89,7 @@ def _found(result: Result, untimed: str) -> Iterator[Doubt]:
         between = f"the mark is between {result.lowest:g} and {result.mark:g}"
         yield Doubt(Reason.UNDETERMINED, between)
     for stamp in result.stamps:
-        if NOT_COUNTING in stamp:  # other stamps only tell where it was marked
+        if not stamp.startswith(IN_HIDDEN_SCENE):  # which only tells where it was marked
             other = stamp.startswith(ANOTHER_VERSION)
             yield Doubt(Reason.VERSION if other else Reason.ALTERED, stamp)
     if result.more:

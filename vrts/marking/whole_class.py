@@ -13,9 +13,15 @@ from vrts.check.task.task import Task
 from vrts.marking.about import NAME as ABOUT
 from vrts.marking.about import from_bytes as about_from_bytes
 from vrts.marking.by_hand.override_text import load_overrides
-from vrts.marking.by_hand.overrides import NONE, with_change
-from vrts.marking.class_marks import Mark, class_row, entries, with_best_attempts
-from vrts.marking.intake.row import Intake, Platform
+from vrts.marking.by_hand.overrides import NONE, lapses, with_change
+from vrts.marking.class_marks import (
+    Mark,
+    class_row,
+    entries,
+    nothing_late,
+    with_best_attempts,
+)
+from vrts.marking.intake.row import Intake
 from vrts.marking.intake.row import Row as Found
 from vrts.marking.intake.tables.edited_table import read_rows
 from vrts.marking.intake.tables.intake_table import write_rows
@@ -143,22 +149,21 @@ def mark_whole_class(
         write_names(layout, written)
     elif layout is not None and table != layout.intake:
         write_atomically(layout.intake, written)
+    marked = tuple(rows[row.identifier] for row in found)
     return Marked(
-        Class("vrts.class/1", task.title, tuple(rows[row.identifier] for row in found)),
+        Class("vrts.class/1", task.title, marked),
         tuple(done[row.identifier] for row in found),
-        (*about_table, *remarks, *_no_flags(task, found)),
-        (*warnings, *said, *changes.diagnostics),
+        (*about_table, *remarks),
+        (
+            *warnings,
+            *nothing_late(task.late, found),
+            *said,
+            *changes.diagnostics,
+            *lapses(marked, changes),
+        ),
         "" if table is not None else sha256(written).hexdigest(),
         {row.identifier: row.group for row in found},
     )
-
-
-def _no_flags(task: Task, found: Sequence[Found]) -> tuple[str, ...]:
-    """Return a remark where Canvas, which flags what is late, flags nothing and tells no time."""
-    told = [row for row in found if row.file and Platform.CANVAS.value in row.student.ids]
-    if task.late is None or not told or any(row.flagged_late or row.received for row in told):
-        return ()
-    return ("Canvas calls nothing LATE: nobody was, or the assignment has no due date there",)
 
 
 class TakenIn(NamedTuple):

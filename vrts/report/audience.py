@@ -8,10 +8,10 @@ from dataclasses import replace
 from enum import Enum
 from types import MappingProxyType
 
+from vrts.check.mark.grade import REVIEW
 from vrts.check.verdict import Verdict
 from vrts.report.assessment import Assessment
 
-REVIEW = "to be reviewed"  # begins the obstacles that a person has to look at
 BY_A_PERSON = f"{REVIEW} by a person: a check of this run is too close to call"
 ENGINE_FACTS = ("disagreements",)  # evidence that is for those who mark
 

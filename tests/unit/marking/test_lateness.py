@@ -76,12 +76,11 @@ def test_without_a_time_nothing_is_deducted_and_somebody_has_to_look() -> None:
 
 
 def test_a_platform_that_says_what_is_late_says_what_is_not() -> None:
-    assert lateness(BY_DAY, None, flags=True) == lateness(None, None)
-    assert lateness(BY_DAY, None, flags=True, flagged_late=True).review
+    assert lateness(BY_DAY, None, called_late=False) == lateness(None, None)
 
 
 def test_what_is_late_at_an_unknown_time_is_to_be_reviewed() -> None:
-    found = lateness(BY_DAY, None, flagged_late=True)
+    found = lateness(BY_DAY, None, called_late=True)
     assert found.review
     assert found.points == 0
     assert found.sentence == "late, says the platform, but not when it came"

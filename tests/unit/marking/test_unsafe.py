@@ -9,7 +9,7 @@ from msgspec.structs import replace
 
 from tests.support_rows import plain_result, plain_row
 from vrts.cli.grade.options import DESPITE
-from vrts.marking.exports.feedback import feedback_text
+from vrts.marking.exports.feedback import LOOKED_AT, feedback_text, unsure
 from vrts.marking.exports.given import Returned
 from vrts.marking.exports.marks_table import marks_csv
 from vrts.marking.exports.unsafe_marks import after_marking, closing, refusal
@@ -37,6 +37,7 @@ MADE_SO: dict[Reason, dict[str, object]] = {
     Reason.CRASHED: {"kind": Kind.FAULT, "mark": None, "review": ("vrts itself failed",)},
     Reason.RESOURCE: {"kind": Kind.RESOURCE, "mark": None, "cause": "memory was used up"},
     Reason.AMBIGUOUS: {"kind": Kind.AMBIGUOUS, "mark": None, "cause": "two programs"},
+    Reason.UNREAD: {"kind": Kind.UNREAD, "mark": None, "cause": "permission denied"},
     Reason.ALTERED: {"stamps": ("modified scene: this mark does not count",)},
     Reason.VERSION: {"stamps": (VERSION,)},
     Reason.HIDDEN: {"more": 2},
@@ -143,7 +144,14 @@ def test_students_learn_of_what_is_theirs_to_know() -> None:
     told = feedback_text(Returned(row, row.result)).decode()
     assert f"This mark is not sure yet: {UNTIMED}." in told
     hidden = plain_row("ben", lowest=8.5)
-    assert "not sure" not in feedback_text(Returned(hidden, plain_result("ben"))).decode()
+    told = feedback_text(Returned(hidden, plain_result("ben"))).decode()
+    assert "not sure" not in told
+    assert told.count("A person will look at this mark: it may still change.") == 1
+    assert "8.5" not in told
+    for reason in set(Reason) - {Reason.LATE, Reason.UNCHECKED, Reason.HIDDEN}:
+        row = plain_row("ben", "", **MADE_SO[reason])
+        assert unsure(row) == [LOOKED_AT], reason
+    assert unsure(plain_row()) == []
 
 
 def test_what_an_earlier_vrts_wrote_is_read_and_judged_now() -> None:

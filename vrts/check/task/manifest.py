@@ -26,6 +26,7 @@ OF_TASK = ("task.toml", "scenario.toml")
 HARMLESS = (".toml", ".md", ".v2", ".png", ".svg", ".jpg")  # no shapes of a scene are in these
 NOT_COUNTING = "this mark does not count"
 ANOTHER_VERSION = "this is vrts"  # begins what tells of another version
+IN_HIDDEN_SCENE = "marked in the hidden scene"  # begins the one stamp with which marks count
 
 
 class Manifest(NamedTuple):
@@ -171,5 +172,5 @@ def other_controller(own: Scene, taken: Scene) -> tuple[Diagnostic, ...]:
 
 def hidden_scene(scene: Scene) -> tuple[Diagnostic, ...]:
     """Return what tells that a result is that of a hidden scene."""
-    headline = f"marked in the hidden scene `{scene.name}`, where the mark is lowest"
+    headline = f"{IN_HIDDEN_SCENE} `{scene.name}`, where the mark is lowest"
     return (Diagnostic(HIDDEN_SCENE, Severity.NOTE, headline),)

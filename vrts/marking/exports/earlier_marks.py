@@ -5,6 +5,7 @@ from typing import NamedTuple
 import msgspec
 
 from vrts.base.diagnostic import Diagnostic, Rule, warning
+from vrts.marking.intake.layouts.canvas import called_by_canvas
 from vrts.marking.intake.row import Platform
 from vrts.marking.lateness import UNTIMED
 from vrts.marking.row import Class, Lateness, Row, row_of
@@ -52,7 +53,7 @@ def with_times_judged(rows: Class, place: Place) -> Judged:
 
 def _is_untold(row: Row) -> bool:
     """Return whether a mark may lack a deduction; what Canvas does not call late is on time."""
-    flags = Platform.CANVAS.value in row.student.ids
+    flags = Platform.CANVAS.value in row.student.ids and called_by_canvas(row.handed_in.file)
     known = row.handed_in.received is not None or row.late is not None or flags
     return bool(row.result.mark) and not known
 

@@ -21,6 +21,7 @@ FINAL = "Final mark:"  # begins every comment
 MOST_LOSSES = 20
 NOT_SHOWN = "checks that are not shown here"
 OF_STUDENTS = frozenset({Reason.LATE, Reason.UNCHECKED, Reason.HIDDEN})  # in these words
+LOOKED_AT = "A person will look at this mark: it may still change."  # why may be hidden
 
 
 class Line(NamedTuple):
@@ -71,11 +72,14 @@ def feedback_html(told: Returned) -> str:
 
 def unsure(row: Row) -> list[str]:
     """Return why a mark is unsafe, as far as that is for the student to know."""
-    return [
+    told = [
         f"This mark is not sure yet: {one_line(doubt.sentence)}."
         for doubt in row.unsafe
         if doubt.reason in OF_STUDENTS
     ]
+    if any(doubt.reason not in OF_STUDENTS for doubt in row.unsafe):
+        told.append(LOOKED_AT)
+    return told
 
 
 def _words(told: Returned) -> Words:
@@ -102,8 +106,8 @@ def _words(told: Returned) -> Words:
     if losses and told.row.result.exact_mark != public.exact_mark:
         remarks.append("These are the losses in what you can see.")
     if public.review:
-        remarks.append("A person will look at this run: the mark may still change.")
-    remarks += unsure(row)
+        remarks.append(LOOKED_AT)
+    remarks += [text for text in unsure(row) if text not in remarks]
     remarks += [f"This mark does not count: {one_line(stamp)}." for stamp in public.stamps]
     return Words(one_line(public.task.title), mark, _made_of(told), losses, tuple(remarks))
 

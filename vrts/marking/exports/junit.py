@@ -22,6 +22,7 @@ BECAUSE = {
     Kind.UNREADABLE: "failure",
     Kind.RESOURCE: "error",
     Kind.AMBIGUOUS: "error",
+    Kind.UNREAD: "error",
     Kind.FAULT: "error",
     Kind.MISSING: "skipped",
     Kind.EXCUSED: "skipped",

@@ -12,7 +12,7 @@ NOTHING = Problem(Kind.MISSING, "nothing was handed in")
 SHOWN = 4  # files named in a sentence
 
 # what is told where nothing can be marked: the first of these that is there
-_TELLING = (Kind.NOT_TEXT, Kind.ARCHIVE, Kind.TOO_LARGE, Kind.UNREADABLE, Kind.EMPTY)
+_TELLING = (Kind.UNREADABLE, Kind.NOT_TEXT, Kind.ARCHIVE, Kind.TOO_LARGE, Kind.EMPTY)
 
 
 class Choice(NamedTuple):

@@ -68,7 +68,8 @@ class Row:
     file: str | None  # as in the download; `work.zip!pick.v2` for a file in a zip; None: none
     why: str  # one sentence: why this file
     received: datetime | None = None  # aware, told by the platform: never the date of a file
-    flagged_late: bool = False  # the platform calls it late, without saying when it came
+    flagged: bool | None = None  # by the platform: late, or on time as it is not called late
+    late: bool | None = None  # the same as said by the teacher; None: nothing else was said
     due: datetime | None = None  # an own deadline, given by the teacher; None: that of the task
     attempts: tuple[Attempt, ...] = ()  # what can be marked, in order; the last is `file`
     others: tuple[str, ...] = ()  # files that were not chosen
@@ -79,6 +80,11 @@ class Row:
     def title(self) -> str:
         """The name of the file as shown to the student, without folders; "" for none."""
         return re.split(r"[/!]", self.file)[-1] if self.file else ""
+
+    @property
+    def called_late(self) -> bool | None:
+        """Whether it is called late, the teacher before the platform; None: nobody tells."""
+        return self.flagged if self.late is None else self.late
 
     @property
     def attempt(self) -> int:

@@ -150,7 +150,7 @@ def _row(
         choice.file,
         why,
         latest.received,
-        latest.flagged_late,
+        latest.flagged,
         attempts=good,
         others=choice.others + earlier,
         group=latest.group,

@@ -18,6 +18,7 @@ KINDS = {  # in the order of the page
     Kind.DOES_NOT_COMPILE: "does not compile",
     Kind.UNREADABLE: "unreadable",
     Kind.AMBIGUOUS: "ambiguous",
+    Kind.UNREAD: "not read",
     Kind.RESOURCE: "too much time or memory",
     Kind.FAULT: "fault of vrts",
     Kind.MISSING: "missing",

@@ -7,7 +7,7 @@ from fractions import Fraction
 from vrts import __version__
 from vrts.base.diagnostic import Diagnostic
 from vrts.check.mark.earned import not_reached
-from vrts.check.mark.grade import Grade
+from vrts.check.mark.grade import REVIEW, Grade
 from vrts.controllers.values import digest
 from vrts.marking.result import (
     SCORING,
@@ -50,7 +50,7 @@ def result_of(
         kind=Kind.UNREADABLE if grade is None else Kind(grade.status.value),
         mark=None if grade is None else float(grade.mark),
         lowest=None if grade is None or grade.lowest is None else float(grade.lowest),
-        review=tuple(o for o in screen.obstacles if o.startswith("to be reviewed")),
+        review=tuple(o for o in screen.obstacles if o.startswith(REVIEW)),
         ready=screen.ready,
         obstacles=screen.obstacles,
         cause=screen.cause,

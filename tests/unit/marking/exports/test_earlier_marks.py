@@ -22,7 +22,8 @@ TASK = (ROOT / "examples" / "01-cans-on-bases" / "task.toml").read_text("utf-8")
 def earlier(folder: Path, task: Path) -> Path:
     """Write what an earlier vrts left: it did not tell what is unsafe."""
     timed = row_of(plain_result("ben"), Student("Ben"), HandedIn("b.v2", "", "2026-10-31T12:00:00"))
-    canvas = row_of(plain_result("cem"), Student("C", ids={"canvas": "3"}), HandedIn("c.v2"))
+    cem = Student("C", ids={"canvas": "3"})
+    canvas = row_of(plain_result("cem"), cem, HandedIn("d/cem_3_901_c.zip!c.v2"))
     nothing = plain_row("dora", kind=Kind.MISSING, mark=None)
     rows = (plain_row("anna", "Anna"), timed, canvas, nothing)
     found = json.loads(class_to_bytes(Class("vrts.class/1", "Lab", rows)))
@@ -47,6 +48,15 @@ def earlier(folder: Path, task: Path) -> Path:
         layout.student(row.id).mkdir(parents=True)
         (layout.student(row.id) / "result.json").write_bytes(to_bytes(row.result))
     return folder
+
+
+def test_a_file_from_elsewhere_is_not_on_time_for_an_id_of_canvas(tmp_path: Path) -> None:
+    place = Place(str(task(tmp_path, TASK + LATE)))
+    cem = Student("C", ids={"canvas": "3"})
+    for file, found in (("cem_3_901_c.v2", ()), ("mailed.v2", (Reason.LATE,))):
+        whole = Class("vrts.class/1", "Lab", (row_of(plain_result("cem"), cem, HandedIn(file)),))
+        (row,) = with_times_judged(whole, place).rows.rows
+        assert tuple(doubt.reason for doubt in row.unsafe) == found
 
 
 def exported(out: Path, name: str) -> Result:

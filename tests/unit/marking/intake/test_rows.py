@@ -72,7 +72,7 @@ def test_times_of_files_never_count(tmp_path: Path) -> None:
 
 def test_canvas_tells_that_a_hand_in_is_late_but_not_when_it_came(tmp_path: Path) -> None:
     row = one(put(tmp_path / "d", {"bergeranna_LATE_31_901_pick.v2": PICK}))
-    assert row.flagged_late
+    assert row.flagged
     assert row.received is None
     assert row.student.name == "bergeranna"
     assert row.student.ids == {"canvas": "31"}

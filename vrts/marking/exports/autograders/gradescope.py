@@ -25,7 +25,7 @@ SAID = {
     "undetermined": "too close to call",
     "not reached": "not reached",
 }
-COULD_NOT = frozenset({Kind.RESOURCE, Kind.FAULT, Kind.AMBIGUOUS})
+COULD_NOT = frozenset({Kind.RESOURCE, Kind.FAULT, Kind.AMBIGUOUS, Kind.UNREAD})
 
 Json = dict[str, object]
 

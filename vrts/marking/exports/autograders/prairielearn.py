@@ -21,7 +21,9 @@ SPARE = 20_000  # bytes that are left free
 MOST_IMAGES = 3
 MOST_ERRORS = 20
 LONGEST = 2_000  # characters of one text
-NOT_GRADABLE = frozenset({Kind.DOES_NOT_COMPILE, Kind.UNREADABLE, Kind.MISSING, Kind.AMBIGUOUS})
+NOT_GRADABLE = frozenset(
+    {Kind.DOES_NOT_COMPILE, Kind.UNREADABLE, Kind.MISSING, Kind.AMBIGUOUS, Kind.UNREAD}
+)
 
 _PICTURE = re.compile(rb'src="(data:image/png;base64,[A-Za-z0-9+/]+={0,2})"')
 

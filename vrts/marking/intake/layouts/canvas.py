@@ -36,6 +36,12 @@ def canvas(tops: Mapping[str, Sequence[str]]) -> Layout | None:
     return Layout("Canvas", hand_ins, remarks, canvas=True)
 
 
+def called_by_canvas(file: str) -> bool:
+    """Return whether a file of a download, or the zip that it is in, has a name of Canvas."""
+    name = file.split("!")[0].rsplit("/", 1)[-1]
+    return any(entry.fullmatch(name) for entry in _ENTRIES)
+
+
 def _hand_in(user: str, entries: Sequence[tuple[re.Match[str], str]]) -> HandIn:
     name = entries[0][0]["name"] or ""
     late = any(match["late"] for match, _ in entries)
@@ -44,5 +50,5 @@ def _hand_in(user: str, entries: Sequence[tuple[re.Match[str], str]]) -> HandIn:
         (name, user),
         Student(name.strip(), ids={Platform.CANVAS.value: user}),
         tuple(sorted(file for _, file in entries)),
-        flagged_late=late,
+        flagged=late,
     )

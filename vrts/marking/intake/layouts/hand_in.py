@@ -15,7 +15,7 @@ class HandIn(NamedTuple):
     files: tuple[str, ...]
     order: tuple[int, ...] = ()  # attempts of a student are sorted by this
     received: datetime | None = None
-    flagged_late: bool = False
+    flagged: bool | None = None  # late; None: the platform does not call anything late
     group: str = ""
 
 

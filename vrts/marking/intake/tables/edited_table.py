@@ -1,6 +1,6 @@
 """Reads intake.csv back, as the teacher left it, and obeys it."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from datetime import datetime
 from difflib import get_close_matches
 from typing import NamedTuple
@@ -68,7 +68,7 @@ def read_rows(data: bytes, name: str, tree: Tree, fresh: Intake) -> EditedTable:
             help=("save it as `CSV UTF-8`, with the names of the columns in the first line",),
         )
         return EditedTable(None, problems.in_order())
-    reader = _Reader(problems, tree, columns)
+    reader = _Reader(problems, tree, columns, _flags(fresh))
     rows = tuple(row for line in lines[1:] if (row := reader.row(line)) is not None)
     if reader.is_of_another():
         return EditedTable(None, (_of_another(name, len(reader.missing), lines[0][0].span),))
@@ -82,10 +82,17 @@ def read_rows(data: bytes, name: str, tree: Tree, fresh: Intake) -> EditedTable:
 class _Reader:
     """Reads lines of one table."""
 
-    def __init__(self, problems: Problems, tree: Tree, columns: Sequence[str]) -> None:
+    def __init__(
+        self,
+        problems: Problems,
+        tree: Tree,
+        columns: Sequence[str],
+        flags: Mapping[str, bool],
+    ) -> None:
         self._problems = problems
         self._tree = tree
         self._columns = columns
+        self._flags = flags  # by file: whether the platform calls it late
         self._taken: dict[str, Span] = {}  # identifiers
         self._there = 0  # files that rows name, and that are in the download
         self.missing: list[tuple[str, Span]] = []  # those that are not
@@ -100,6 +107,8 @@ class _Reader:
         problem = self._problem(get["problem"], get["file"].span, flaw, named=named)
         received = self._time(get["received"], "received")
         attempts = self._attempts(get["attempts"])
+        others = tuple(get["others"].text.split("\n")) if get["others"].text else ()
+        flagged = self._flagged(file, others)
         if file is not None and (not attempts or attempts[-1].file != file):
             attempts = (Attempt(file, received),)
         if identifier is None:
@@ -115,10 +124,11 @@ class _Reader:
             file,
             get["why"].text.strip(),
             received,
-            self._yes(get["late"]),
+            flagged,
+            self._late(get["late"], flagged),
             self._time(get["due"], "due"),
             () if problem is not None and not get["attempts"].text.strip() else attempts,
-            tuple(get["others"].text.split("\n")) if get["others"].text else (),
+            others,
             get["group"].text.strip(),
             problem,
         )
@@ -227,13 +237,21 @@ class _Reader:
             return None
         return time
 
-    def _yes(self, cell: Cell) -> bool:
+    def _flagged(self, file: str | None, others: Sequence[str]) -> bool | None:
+        """Return what the platform says of what was handed in; None for a file from elsewhere."""
+        flags = [self._flags.get(name) for name in (others if file is None else (file,))]
+        return any(flags) if flags and None not in flags else None
+
+    def _late(self, cell: Cell, flagged: bool | None) -> bool | None:
+        """Return what the teacher says; None where it is what the platform says anyway."""
         text = cell.text.strip().casefold()
         if text not in (YES, NO, ""):
             self._value(
                 cell, f"`late` must be `{YES}`, `{NO}` or empty", f"write `{YES}` or `{NO}`"
             )
-        return text == YES
+        if text == YES:
+            return None if flagged else True
+        return False if text == NO else None
 
     def _ids(self, cell: Cell) -> dict[str, str]:
         found: dict[str, str] = {}
@@ -295,6 +313,12 @@ def _tell(problems: Problems, more: list[Row], span: Span) -> None:
         notes=(f"{names}{rest}",),
         help=("they are taken as found; to leave one out, give it a row that says `excused`",),
     )
+
+
+def _flags(fresh: Intake) -> dict[str, bool]:
+    """Return the files of which a platform tells whether they are late."""
+    rows = [row for row in fresh.rows if row.flagged is not None]
+    return {file: bool(row.flagged) for row in rows for file in _files(row)}
 
 
 def _files(row: Row) -> set[str]:

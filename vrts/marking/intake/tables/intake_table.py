@@ -51,7 +51,7 @@ def _texts(row: Row) -> tuple[str, ...]:
         problem_text(row.problem),
         row.why,
         time_text(row.received),
-        YES if row.flagged_late else "",
+        YES if row.called_late else NO if row.late is False else "",
         time_text(row.due),
         student.email,
         student.login,

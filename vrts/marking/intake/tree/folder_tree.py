@@ -17,7 +17,10 @@ class _FolderStore:
         self._paths = paths
 
     def size(self, name: str) -> int:
-        return self._paths[name].lstat().st_size
+        try:
+            return self._paths[name].lstat().st_size
+        except OSError as problem:
+            raise _unreadable(problem) from problem
 
     def start(self, name: str, length: int) -> bytes:
         path = self._paths[name]
@@ -30,11 +33,14 @@ class _FolderStore:
                     raise Unreadable("is no file")
                 return file.read(length)
         except OSError as problem:
-            reason = (problem.strerror or "failed").lower()
-            raise Unreadable(f"cannot be read: {reason}") from problem
+            raise _unreadable(problem) from problem
 
     def read(self, name: str) -> bytes:
         return self.start(name, self.size(name))
+
+
+def _unreadable(problem: OSError) -> Unreadable:
+    return Unreadable(f"cannot be read: {(problem.strerror or 'failed').lower()}")
 
 
 class _Walk(NamedTuple):

@@ -15,7 +15,11 @@ class Store(Protocol):
     """Where the bytes are."""
 
     def size(self, name: str) -> int:
-        """Return how many bytes a file has, as far as known before it is read."""
+        """Return how many bytes a file has, as far as known before it is read.
+
+        Raises:
+            Unreadable: Not even that can be known.
+        """
         ...
 
     def start(self, name: str, length: int) -> bytes:

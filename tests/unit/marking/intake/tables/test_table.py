@@ -181,7 +181,7 @@ def test_another_id_an_own_deadline_and_ids_of_platforms(place: Path) -> None:
     row = row_of(place, edited(place, change), "hooft")
     assert row.due == datetime(2026, 12, 1, 12, tzinfo=CET)
     assert row.received == datetime(2026, 11, 30, 23, tzinfo=UTC)
-    assert row.flagged_late
+    assert (row.flagged, row.late, row.called_late) == (None, True, True)
     assert row.student == Student("'t Hooft; Ö", ids={"moodle": "104", "sis": "00017"})
 
 
@@ -190,6 +190,46 @@ def test_columns_may_be_missing_or_more_and_in_any_order(place: Path) -> None:
     rows, _ = read(place, data)
     assert rows is not None
     assert (rows[0].identifier, rows[0].file) == ("anna", f"{ANNA}/a.v2")
+
+
+CANVAS = {
+    "bergeranna_31_901_pick.v2": PICK,
+    "wolfben_LATE_32_902_pick.v2": PICK,
+    "cobbcara_33_903_report.pdf": PDF,
+    "mailed.v2": PICK,
+}
+
+
+def late_of(place: Path, **cells: str) -> tuple[bool | None, bool | None]:
+    """Return what is known of the lateness of Anna after an edit: by the platform, and in all."""
+
+    def change(lines: dict[str, dict[str, str]]) -> None:
+        lines["bergeranna-31"].update(cells)
+
+    row = row_of(place, edited(place, change), "bergeranna-31")
+    return row.flagged, row.called_late
+
+
+def test_what_canvas_does_not_call_late_is_on_time_if_it_came_through_canvas(
+    tmp_path: Path,
+) -> None:
+    place = put(tmp_path / "d", CANVAS)
+    rows = take_in(place, program="pick").rows
+    assert [row.called_late for row in rows] == [False, False, True]
+    assert read(place, write_rows(rows)) == (rows, ())
+    assert late_of(place) == (False, False)
+    assert late_of(place, file="mailed.v2") == (None, None)
+    assert late_of(place, file="mailed.v2", late="no") == (None, False)
+    assert late_of(place, file="wolfben_LATE_32_902_pick.v2") == (True, True)
+    assert late_of(place, late="yes") == (False, True)
+
+
+def test_no_and_yes_come_back(tmp_path: Path) -> None:
+    place = put(tmp_path / "d", CANVAS)
+    rows, _ = read(place, line(id="anna", file="mailed.v2", late="no", ids="canvas 31"))
+    assert rows is not None
+    assert rows[0].called_late is False
+    assert read(place, write_rows(rows)).rows == rows
 
 
 # what is wrong is told where it stands
