@@ -43,7 +43,7 @@ from tests.sabotage.trees import (
 
 FIRST = Path(__file__).with_name("first.json")
 TWICE = " (2nd try)"
-AT_ONCE = (os.cpu_count() or 1) + 4  # many tests wait, and their processes end slowly
+AT_ONCE = (os.cpu_count() or 1) + 2  # many tests wait
 
 
 class Verdict(NamedTuple):
