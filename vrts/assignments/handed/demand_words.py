@@ -3,10 +3,10 @@
 from collections.abc import Iterator
 
 from vrts.assignments.handed.words import box, number, points, title
-from vrts.base.units import deg, mm
 from vrts.check.rules.proof_demand import EVERY_FUTURE
 from vrts.check.task.demands import Demand, Keeps
 from vrts.check.task.task import Task
+from vrts.check.verdicts.demand_words import wanted
 
 
 def demand_words(task: Task) -> Iterator[str]:
@@ -19,31 +19,14 @@ def demand_words(task: Task) -> Iterator[str]:
 
 
 def _demand(demand: Demand) -> str:
-    limit = demand.limit
     match demand.keeps:
-        case Keeps.TOOL_OUT:
-            zone = f"{title(demand.name)}: {box(demand.lower, demand.upper)}"
-            return f"the tool stays out of the zone {zone}"
-        case Keeps.ROBOT_OUT:
-            zone = f"{title(demand.name)}: {box(demand.lower, demand.upper)}"
-            return f"arm, hand and what it holds stay out of the zone {zone}"
-        case Keeps.UPRIGHT:
-            return f"`{demand.body}` stays upright, within {number(deg(limit))} degrees"
-        case Keeps.JOINT_SPEED:
-            return f"no joint is faster than {number(100 * limit)} % of its limit"
-        case Keeps.TOOL_SPEED:
-            return f"the tool is never faster than {number(mm(limit))} mm/s"
-        case Keeps.WRIST:
-            return f"the wrist keeps {number(deg(limit))} degrees away from its singularity"
-        case Keeps.ELBOW:
-            return f"the elbow keeps {number(deg(limit))} degrees away from its singularity"
-        case Keeps.SHOULDER:
-            return f"the shoulder keeps {number(mm(limit))} mm away from its singularity"
-        case Keeps.SINGULAR:
-            return f"the smallest singular value is {limit:g} or more"
+        case Keeps.TOOL_OUT | Keeps.ROBOT_OUT:
+            return f"{title(wanted(demand))}: {box(demand.lower, demand.upper)}"
         case Keeps.USES:
             return f"the program uses `{demand.word}`"
         case Keeps.AVOIDS:
             return f"the program does not use `{demand.word}`"
         case Keeps.STEPS:
-            return f"the program has {number(limit)} steps at most"
+            return f"the program has {number(demand.limit)} steps at most"
+        case _:
+            return title(wanted(demand))
