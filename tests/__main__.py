@@ -44,10 +44,11 @@ FIXED: dict[str, list[str]] = {  # what looks at the text only
 }
 PYTEST = [PYTHON, "-m", "pytest"]
 TESTS = {"tests": [*PYTEST, "-n", WORKERS]}
+THOROUGH, PATCHES = "thorough", "sabotage"
 REST: dict[str, list[str]] = {
-    "thorough": [*PYTEST, "-n", WORKERS, "-m", "thorough and not live"],
+    THOROUGH: [*PYTEST, "-n", WORKERS, "-m", "thorough and not live"],
     "live": [*PYTEST, "-p", "no:xdist", "-m", "live"],
-    "sabotage": [PYTHON, "-m", "tests.sabotage", "--passed"],  # in the usual run, or just now
+    PATCHES: ["nice", "-n", "5", PYTHON, "-m", "tests.sabotage", "--passed"],  # by other stages
 }
 STAGES = FIXED | TESTS | REST
 
@@ -94,23 +95,49 @@ def main(words: list[str]) -> int:
 
 
 def run(chosen: dict[str, list[str]], measured: Path | None) -> list[Ended]:
-    """Run what looks at the text only beside the tests, and all else one after another."""
+    """Run the stages of each phase beside each other, and one phase after another."""
     ended: list[Ended] = []
-    beside = {name: command for name, command in chosen.items() if name in FIXED}
-    alone = {name: command for name, command in chosen.items() if name not in FIXED}
-    looking = threading.Thread(target=run_quietly, args=(beside, ended))
-    looking.start()
-    for i, (name, command) in enumerate(alone.items()):
-        if i > 0:
-            looking.join()  # what comes after the tests wants the machine for itself
-        print(f"== {name}", flush=True)
-        ended.append(run_one(name, command, environment(name, measured)))
-    looking.join()
+    for phase in phases(list(chosen)):
+        looking = threading.Thread(
+            target=run_quietly, args=({name: chosen[name] for name in phase.beside}, ended)
+        )
+        looking.start()
+        if phase.name:
+            print(f"== {phase.name}", flush=True)
+            command = chosen[phase.name]
+            ended.append(run_one(phase.name, command, environment(phase.name, measured)))
+        looking.join()
     return sorted(ended, key=lambda stage: list(chosen).index(stage.name))
 
 
+class Phase(NamedTuple):
+    """Stages that share the machine."""
+
+    name: str  # that says what it does as it goes; "": none
+    beside: tuple[str, ...]  # that are told when they are over
+
+
+def phases(names: list[str]) -> list[Phase]:
+    """Return what runs beside what.
+
+    What looks at the text only runs beside the first tests. Patches are tried beside thorough
+    tests, which wait often. Live sessions want the machine for themselves.
+    """
+    fixed = tuple(name for name in names if name in FIXED)
+    found: list[Phase] = []
+    for name in names:
+        if name in FIXED or (name == PATCHES and THOROUGH in names):
+            continue
+        beside = (PATCHES,) if name == THOROUGH and PATCHES in names else ()
+        found.append(Phase(name, (*(() if found else fixed), *beside)))
+    return found or [Phase("", fixed)]
+
+
 def run_quietly(chosen: dict[str, list[str]], ended: list[Ended]) -> None:
-    """Run stages one after another; print what they say when they are over."""
+    """Run stages one after another; print what they say when they are over.
+
+    Patches give way to the tests that they run beside.
+    """
     for name, command in chosen.items():
         with tempfile.TemporaryFile() as said:
             stage = run_one(name, command, environment(name, None), said.fileno())
@@ -139,9 +166,9 @@ def environment(name: str, measured: Path | None) -> dict[str, str]:
     )
     for unwanted in ("PYTHONDONTWRITEBYTECODE", *SAYS_ALL):
         found.pop(unwanted, None)
-    if name == "thorough":
+    if name == THOROUGH:
         found[laws.ALL_NAME] = "1"
-    if measured is not None and name in ("tests", "thorough", "live"):
+    if measured is not None and name in ("tests", THOROUGH, "live"):
         found |= {times.FOLDER: str(measured), "PYTEST_PLUGINS": "tests.times"}
     return found
 

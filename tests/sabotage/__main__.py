@@ -1,9 +1,9 @@
 """Apply each patch to a copy of the tree and demand that the named tests fail.
 
 A patch that no test notices, or that no longer applies, fails this stage. Before anything is
-patched the named tests must pass, so that a failure is the patch's doing; `--passed` says that they
-did just now, in the stages before this one. Tests are those of the usual run, with its few
-examples, but for patches that say that only a `thorough` test notices.
+patched the named tests must pass, so that a failure is the patch's doing; `--passed` says that
+other stages look at that, before this one or beside it. Tests are those of the usual run, with its
+few examples, but for patches that say that only a `thorough` test notices.
 `--list` says which those are; `--chosen` asks what `python -m tests --changed` would have run.
 
 The test that noticed a patch last stands in `first.json` and runs first, alone: mostly that is all

@@ -16,7 +16,7 @@ COPIED = (
     *("README.md", "CHANGELOG.md", "CITATION.cff", ".github"),
 )
 COMPILED = "__pycache__"
-SECONDS = 300  # for the tests of a patch
+SECONDS = 900  # for the tests of a patch, which give way to others
 ALL_SECONDS = 1800  # for those of all patches
 MOMENTS = count(
     1_000_000_000
