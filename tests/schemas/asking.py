@@ -23,6 +23,7 @@ GETTERS = {
     "numbers": "numbers",
     "strings": "strings",
     "names": "names",
+    "array": "array",
     "table": "table",
     "tables": "tables",
 }

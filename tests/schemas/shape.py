@@ -8,7 +8,12 @@ from tests.schemas.asking import DISCRIMINATORS, Asked, Question
 Schema: TypeAlias = dict[str, Any]
 Words: TypeAlias = Mapping[str, str]
 
-OPEN = {"objects": "objects.*", "locations": "", "parameters": ""}  # whose keys are names
+OPEN = {
+    "objects": "objects.*",
+    "locations": "",
+    "parameters": "",
+    "variants.without[]": "",
+}  # whose keys are names
 REFUSED = {("robot", "urdf", "name")}  # asked for, to say so
 DATE_TIME = r"^\d{4}-\d\d-\d\d[Tt ]\d\d:\d\d.*([Zz]|[+-]\d\d:\d\d)$"
 CHANGING = ("title", "name")  # defaults that depend on the name of the file, or a number
@@ -63,7 +68,7 @@ def _open(where: str, own: Sequence[Asked], notes: Sequence[Asked], words: Words
     inner = OPEN[where]
     if inner:
         return {"type": "object", "additionalProperties": schema_of(inner, notes, words)}
-    values = [note for note in own if note.question.kind in ("number", "numbers")]
+    values = [note for note in own if note.question.kind in ("number", "numbers", "array")]
     value = plain([note.question for note in values])
     if where == "parameters":
         return _named_anyhow({note.key.lower() for note in values}, value)
@@ -137,6 +142,8 @@ def plain(questions: Sequence[Question]) -> Schema:
             return {"type": "array", "items": items, **length}
         case "strings":
             return {"type": "array", "items": {"type": "string"}}
+        case "array":
+            return {"type": "array", "minItems": 1}
         case "names":
             one: Schema = {"type": "string"} | ({} if choices is None else {"enum": list(choices)})
             many = {"type": "array", "items": one, "minItems": 1, "uniqueItems": True}

@@ -132,20 +132,28 @@ def texts(key: str, value: object) -> tuple[str, ...] | Wrong:
     return tuple(found)
 
 
-def names(choices: Iterable[str]) -> Kind[tuple[str, ...]]:
+def array(key: str, value: object) -> list[object] | Wrong:
+    """Take a list of at least one value, of whatever kind."""
+    if not isinstance(value, list):
+        return _wrong_type(key, "a list", value)
+    return cast("list[object]", value) or Wrong(OUT_OF_RANGE, f"`{key}` names nothing")
+
+
+def names(choices: Iterable[str] | None) -> Kind[tuple[str, ...]]:
     """Return the kind of one of `choices`, or of a list of some of them, each once."""
-    known = tuple(choices)
+    known = None if choices is None else tuple(choices)
 
     def read(key: str, value: object) -> tuple[str, ...] | Wrong:
         if isinstance(value, str):
-            return (value,) if value in known else _unknown_choice(key, value, known)
+            fits = known is None or value in known
+            return (value,) if fits else _unknown_choice(key, value, known or ())
         if not isinstance(value, list):
             return _wrong_type(key, "text in quotation marks, or a list of texts", value)
         found = texts(key, cast("object", value))
         if isinstance(found, Wrong):
             return found
         for index, name in enumerate(found):
-            if name not in known:
+            if known is not None and name not in known:
                 return _unknown_choice(key, name, known)._replace(element=index)
             if name in found[:index]:
                 return Wrong(OUT_OF_RANGE, f"`{key}` names `{name}` twice", element=index)

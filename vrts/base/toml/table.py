@@ -218,8 +218,17 @@ class Table:
         """Return a list of texts."""
         return self._get(key, kinds.texts, default, required=required)
 
-    def names(self, key: str, *, choices: Iterable[str], required: bool = False) -> tuple[str, ...]:
-        """Return one of `choices`, or a list of some of them; () where it is missing or wrong."""
+    def array(self, key: str, *, required: bool = False) -> list[object]:
+        """Return a list of at least one value of any kind; [] where it is missing or wrong."""
+        return self._get(key, kinds.array, list[object](), required=required)
+
+    def names(
+        self, key: str, *, choices: Iterable[str] | None, required: bool = False
+    ) -> tuple[str, ...]:
+        """Return one of `choices`, or a list of some of them; () where it is missing or wrong.
+
+        Without choices it may be any text.
+        """
         return self._get(key, kinds.names(choices), (), required=required)
 
     # tables

@@ -14,6 +14,7 @@ from vrts.check.rules.settings import USUAL_LOCKS
 from vrts.check.task.demands import Demand
 from vrts.check.task.goals import Goal, Relation
 from vrts.check.task.late_rules import Keep, LateRules
+from vrts.check.variants.model import Variants
 from vrts.scene.model import Locks
 
 
@@ -61,6 +62,7 @@ class Task:
     proof: ProofDemand | None = None  # what is asked about every future; None: nothing
     hints: Hints = Hints.EDIT  # what authors of programs may be told of what would mend them
     description: str = ""  # what is to be done, in the words of who set the task
+    variants: Variants | None = None  # of which each student gets one; None: all have this task
 
     @property
     def targets(self) -> tuple[Goal | Relation, ...]:

@@ -18,6 +18,7 @@ from vrts.check.task.late_file import read_keep, read_late
 from vrts.check.task.relation_file import read_relations
 from vrts.check.task.task import Task
 from vrts.check.task.via_file import read_via
+from vrts.check.variants.section import read_variants
 from vrts.controllers.models import MODELS
 from vrts.scene.model import Scene
 
@@ -80,6 +81,7 @@ def _task(
     locks = read_settings(top, problems)
     proof = read_proof(top, problems, mark.total)
     hints = read_hints(top)
+    variants = read_variants(top, problems)
     top.finish()
     return Task(
         name,
@@ -102,6 +104,7 @@ def _task(
         proof,
         hints,
         description,
+        variants,
     )
 
 

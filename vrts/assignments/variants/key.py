@@ -1,0 +1,59 @@
+"""The teacher's key: whoever has it can tell which variant a student gets."""
+
+import os
+import re
+import secrets
+from pathlib import Path
+
+from vrts.base.diagnostic import Rule, error
+from vrts.pipeline.files import CannotRead, read_bytes
+from vrts.pipeline.refused import Refused
+
+BAD_KEY = Rule("V868", "variants-key")
+
+NAME = "variants.key"  # beside the task: packed for nobody
+PRIVATE = 0o600
+_TEXT = re.compile(rb"([0-9a-f]{64})\n?")
+
+
+def place_of_key(task: Path) -> Path:
+    """Return where the key of a task is: in its folder, or beside its zip."""
+    return (task if task.is_dir() else task.parent) / NAME
+
+
+def key_of(path: Path) -> bytes:
+    """Return a key that is there already.
+
+    Raises:
+        CannotRead: It is not there.
+        Refused: The file is none of ours.
+    """
+    if not os.path.lexists(path):
+        hints = (
+            "`vrts task variants` makes the key of a task, and says where it is",
+            "name another place with `--key`",
+        )
+        raise CannotRead(f"there is no key of variants at `{path}`", hints)
+    found = _TEXT.fullmatch(b"" if path.is_symlink() else read_bytes(path))
+    if found is None:
+        headline = f"`{path}` is no key that vrts has written"
+        remedy = "put the file back as it was: with another key every student has another variant"
+        raise Refused((error(BAD_KEY, headline, help=(remedy,)),))
+    return bytes.fromhex(found[1].decode())
+
+
+def key_made(path: Path) -> tuple[bytes, bool]:
+    """Return a key, and whether it was made now: drawn, and written for its owner alone.
+
+    Raises:
+        CannotRead: Its folder is not there.
+        Refused: The file is none of ours.
+    """
+    if os.path.lexists(path):
+        return key_of(path), False
+    if not path.parent.is_dir():
+        raise CannotRead(f"there is no folder `{path.parent}` for the key")
+    flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_NOFOLLOW", 0)
+    with open(os.open(path, flags | getattr(os, "O_BINARY", 0), PRIVATE), "wb") as file:
+        file.write(f"{secrets.token_hex(32)}\n".encode())
+    return key_of(path), True
