@@ -5,6 +5,7 @@ A path begins with a word for the file that it is in: `task`, `scene`, `scenario
 
 import tomllib
 from collections.abc import Iterator, Mapping
+
 from vrts.base.diagnostic import Diagnostic, Label, Rule, error
 from vrts.base.source import SourceFile
 from vrts.base.toml.places import places

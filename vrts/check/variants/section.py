@@ -223,8 +223,9 @@ def _shown_alike(value: object, vary: Vary) -> int | None:
     """Return the number of the choice that is meant by a value."""
     if not _plain(value):
         return None
-    items = cast("list[object]", value) if isinstance(value, list) else list[object]((value,))
-    whole = toml_text(value)
+    whole, items = toml_text(value), [value]
+    if isinstance(value, list):
+        items = list(cast("list[object]", value))
     parts = tuple(toml_text(item) for item in items)
     for number, choice in enumerate(vary.choices):
         alone = len(choice) == 1 or len(set(choice)) == 1 or not isinstance(value, list)
