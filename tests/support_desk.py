@@ -37,10 +37,24 @@ HOSTILE = '<script>alert(1)</script> "quoted" & </textarea>'
 WHEN = datetime(2026, 11, 20, 12, 0, tzinfo=UTC)
 
 HITS = Loss(
-    -1.5, "-3/2", "contact", "At 12.4 s, line 17, the held `can1` hits `base1`", None, 17, 12.4
+    1.5,
+    "3/2",
+    "contact",
+    "at 12.4 s, line 17 `MOVES base2_put`, the held `can1` hits `base1`",
+    "what the hand holds reaches below the fingers",
+    17,
+    12.4,
 )
-MISSES = Loss(-2.1, "-21/10", "target", "`can2` is 23.4 mm from `base1`", "aim lower", 23, None)
-SLOW = Loss(-0.5, "-1/2", "time", "it took 31 s, where 25 s are allowed", None, None, None)
+MISSES = Loss(
+    2.1,
+    "21/10",
+    "target",
+    "at 9.3 s, line 21 `OPENI`, `can2` is 23 mm from its goal",
+    "compare the location with the object's in `vrts scene show`",
+    21,
+    9.3,
+)
+SLOW = Loss(0.5, "1/2", "time", "the program takes 31.2 s", None, None, None)
 LOSSES = ((HITS,), (MISSES,), (HITS, SLOW), (SLOW,), ())
 
 
@@ -169,7 +183,7 @@ def _drawn(k: int, result: Result, draw: Random) -> Result:
         lost = replace(result, kind=Kind.RESOURCE, mark=None, ready=False, checks=(), cause=words)
         return replace(lost, review=(words,), metrics=Metrics())
     losses = draw.choice(LOSSES)
-    mark = round(10.0 + sum(loss.points for loss in losses), 1)
+    mark = round(10.0 - sum(loss.points for loss in losses), 1)
     wrong = [
         name for name, loss in (("target can2", MISSES), ("collision", HITS)) if loss in losses
     ]
@@ -180,7 +194,7 @@ def _drawn(k: int, result: Result, draw: Random) -> Result:
         result,
         mark=mark,
         ready=False,
-        cause=f"{first.sentence} ({first.points})",
+        cause=f"{first.sentence} (−{first.points})",
         hint=first.hint,
         line=first.line,
         time_s=first.time_s,

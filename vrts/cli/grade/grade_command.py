@@ -15,6 +15,7 @@ SUBCOMMANDS = {
     "reproduce": "mark what is in an evidence zip again, and compare",
     "diff": "compare two markings of a class",
     "change": "change a mark by hand",
+    "desk": "go through a marked class on one page",
     "session": "mark sessions of the live server",
 }
 MARK = "mark"

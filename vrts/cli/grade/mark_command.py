@@ -79,7 +79,7 @@ scheduler only you can reach. Without Dask: vrts grade plan, run and merge.
 
 \b
 More: vrts grade intake | plan | run | merge | export | init | evidence | reproduce | diff |
-change, each with --help. Sessions of the live server: vrts grade [TASK] --session FILE.
+change | desk, each with --help. Sessions of the live server: vrts grade [TASK] --session FILE.
 """
 
 

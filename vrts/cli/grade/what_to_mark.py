@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 SUBCOMMANDS = (  # what a first word may be, beside a task
     *("intake", "plan", "run", "merge", "export", "init", "evidence", "reproduce", "diff"),
-    *("change", "session"),
+    *("change", "desk", "session"),
 )
 NAME_THEM = "name files, a folder or a zip after the task"
 

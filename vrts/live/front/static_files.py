@@ -55,10 +55,10 @@ def content(plain: bytes, kind: str) -> Content:
 class StaticFiles:
     """The files below `vrts/web` that a browser may ask for: nothing else has a name here."""
 
-    def __init__(self) -> None:
-        """List them."""
+    def __init__(self, page: str = PAGE) -> None:
+        """List them; what `page` needs comes in few files."""
         self._files = dict(_listed(files("vrts.web"), ""))
-        self._bundles = Bundles(PAGE)
+        self._bundles = Bundles(page)
         self._contents: dict[str, Content] = {}
 
     def find(self, path: str) -> Content | None:

@@ -1,0 +1,41 @@
+"""The state of a marking at one moment, as a value: rows, decisions, likeness."""
+
+from collections.abc import Mapping
+from functools import cached_property
+
+from vrts.desk.book.decided import Decided
+from vrts.desk.book.opened import Opened
+from vrts.desk.told import Likeness
+from vrts.marking.row import Class, Row
+
+
+class Book:
+    """What the files said when they were read; nothing in it changes."""
+
+    def __init__(
+        self,
+        opened: Opened,
+        rows: Class,
+        decided: Decided,
+        likeness: Mapping[str, Likeness],
+        problems: tuple[str, ...] = (),
+    ) -> None:
+        """Take what was read.
+
+        Args:
+            opened: What marking wrote.
+            rows: The class with all decisions.
+            decided: What graders decided.
+            likeness: By id.
+            problems: What could not be read, in sentences.
+        """
+        self.opened = opened
+        self.rows = rows
+        self.decided = decided
+        self.likeness = likeness
+        self.problems = problems
+
+    @cached_property
+    def by_id(self) -> Mapping[str, Row]:
+        """The rows of the class, by id."""
+        return {row.id: row for row in self.rows.rows}

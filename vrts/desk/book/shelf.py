@@ -1,0 +1,122 @@
+"""Reads the folder again whenever a file of it has changed, and only then."""
+
+import os
+import threading
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Final
+
+from vrts.desk.book.book import Book
+from vrts.desk.book.decided import decide
+from vrts.desk.book.likeness import LARGEST, read_likeness
+from vrts.desk.book.opened import Opened, open_marking
+from vrts.desk.told import Likeness
+from vrts.marking import about
+from vrts.marking.result import Damaged
+from vrts.marking.similarity.files import DATA
+from vrts.pipeline.files import CannotRead
+from vrts.pipeline.refused import Refused
+
+DECISIONS: Final = "decisions"  # folder in `staff`
+MOST_FILES: Final = 400  # looked at in it
+
+Sign = tuple[str, int, int, int]  # name, time [ns], size, number of the file
+
+
+class Shelf:
+    """A folder of a marking, and the last that was read of it. Any thread may ask."""
+
+    def __init__(self, folder: Path) -> None:
+        """Take a folder, and read it.
+
+        Raises:
+            CannotRead: There is no such folder, or a file of it cannot be read.
+            Refused: It is no marking, or something in it has errors.
+        """
+        self.folder = folder
+        self._staff = folder / "staff"
+        self._lock = threading.Lock()
+        self._signs: tuple[tuple[Sign, ...], ...] = ()
+        self._likeness: dict[str, Likeness] = {}
+        self._said = ""
+        self._signs = self._look()
+        self._opened = open_marking(folder)
+        self._read_likeness()
+        self._book = self._decided(())
+
+    def now(self) -> Book:
+        """Return what the files say now.
+
+        What cannot be read any more is told in the book, beside what was read before.
+        """
+        with self._lock:
+            signs = self._look()
+            if signs == self._signs:
+                return self._book
+            before, self._signs = self._signs, signs
+            try:
+                if signs[0] != before[0]:
+                    self._opened = open_marking(self.folder)
+                if signs[1] != before[1]:
+                    self._read_likeness()
+                self._book = self._decided(())
+            except (CannotRead, Refused) as problem:
+                told = (sentence(problem),)
+                last = self._book
+                self._book = Book(last.opened, last.rows, last.decided, last.likeness, told)
+            return self._book
+
+    def _decided(self, problems: tuple[str, ...]) -> Book:
+        opened: Opened = self._opened
+        rows, decided, told = decide(opened)
+        said = (self._said,) if self._said else ()
+        return Book(opened, rows, decided, self._likeness, (*problems, *told, *said))
+
+    def _read_likeness(self) -> None:
+        self._said, self._likeness = "", {}
+        place = self._staff / DATA
+        if not place.is_file():
+            return
+        try:
+            if place.stat().st_size > LARGEST:
+                raise Damaged(f"`{DATA}` has more than {LARGEST:,} bytes")
+            self._likeness = dict(read_likeness(place.read_bytes()))
+        except (OSError, Damaged) as problem:
+            self._said = f"likeness is not shown: {problem}"
+
+    def _look(self) -> tuple[tuple[Sign, ...], ...]:
+        """Return what tells whether files have changed: of marking, likeness, decisions."""
+        marked = (self._staff / name for name in ("results.json", about.NAME))
+        by_hand = (self._staff / "overrides.toml", *_in(self._staff / DECISIONS))
+        return (
+            tuple(_signs(marked)),
+            tuple(_signs([self._staff / DATA])),
+            tuple(_signs(by_hand)),
+        )
+
+
+def _in(folder: Path) -> Iterator[Path]:
+    try:
+        with os.scandir(folder) as entries:
+            names = sorted(entry.name for entry in entries if not entry.name.startswith("."))
+    except OSError:
+        return
+    for name in names[:MOST_FILES]:
+        if not name.endswith(".part"):
+            yield folder / name
+
+
+def _signs(paths: "Iterator[Path] | tuple[Path, ...] | list[Path]") -> Iterator[Sign]:
+    for path in paths:
+        try:
+            found = path.stat()
+        except OSError:
+            continue
+        yield path.name, found.st_mtime_ns, found.st_size, found.st_ino
+
+
+def sentence(problem: CannotRead | Refused) -> str:
+    """Return what is wrong, in one line."""
+    if isinstance(problem, Refused):
+        return "; ".join(one.headline for one in problem.diagnostics if one.is_error)
+    return problem.message

@@ -1,0 +1,69 @@
+"""What is read: the class, one row, statistics."""
+
+import asyncio
+
+import msgspec
+from starlette.requests import Request
+from starlette.responses import Response
+
+from vrts.desk.desk import Desk, Shown
+from vrts.desk.front.answers import refusal, told, told_bytes
+from vrts.desk.programs import Programs
+from vrts.desk.rows.row_view import one_row
+from vrts.desk.told import ClassTold, GraderTold
+
+
+class ClassPages:
+    """The handlers."""
+
+    def __init__(self, desk: Desk, programs: Programs) -> None:
+        """Serve a desk."""
+        self._desk = desk
+        self._programs = programs
+
+    async def whole(self, request: Request) -> Response:
+        """Return the class."""
+
+        def made() -> Response:
+            shown = self._desk.now()
+            return told_bytes(request, msgspec.json.encode(class_told(self._desk, shown)))
+
+        return await asyncio.to_thread(made)
+
+    async def row(self, request: Request) -> Response:
+        """Return everything about a row."""
+
+        def made() -> Response:
+            shown = self._desk.now()
+            row = shown.listed.rows.get(request.path_params["student"])
+            if row is None:
+                return refusal(404, "there is no such student in this class")
+            book = shown.book
+            return told(request, one_row(book, row, *self._programs.of(book, row.id)))
+
+        return await asyncio.to_thread(made)
+
+
+def class_told(desk: Desk, shown: Shown) -> ClassTold:
+    """Return a class as the page is told it."""
+    book, listed = shown.book, shown.listed
+    others = {one.id: one for one in (*book.decided.graders, desk.me)}
+    about = book.opened.about
+    return ClassTold(
+        book.rows.title,
+        float(book.rows.total),
+        shown.revision,
+        desk.me,
+        tuple(sorted(others.values(), key=_name)),
+        tuple(listed.rows.values()),
+        book.decided.items,
+        listed.causes,
+        book.decided.conflicts,
+        desk.marking(),
+        about.when.isoformat(),
+        book.problems,
+    )
+
+
+def _name(grader: GraderTold) -> tuple[str, str]:
+    return grader.name.casefold(), grader.id

@@ -1,0 +1,102 @@
+"""The desk as a process: the socket it listens at, the words it begins with, its end."""
+
+import errno
+import socket
+from collections.abc import Callable
+from pathlib import Path
+from types import FrameType
+from typing import Final
+
+import uvicorn
+
+from vrts.base.safe_names import safe
+from vrts.desk.desk import Desk
+from vrts.desk.front.app import application
+from vrts.desk.front.events import Events
+from vrts.desk.told import GraderTold
+from vrts.live.callers.patient import PatientProtocol
+from vrts.live.callers.pieces import InPieces
+from vrts.live.tokens import new_token
+from vrts.pipeline.files import CannotRead
+
+HOST: Final = "127.0.0.1"  # nobody else's machine can reach it
+DECISIONS: Final = "decisions"
+
+
+def serve_desk(
+    folder: Path,
+    who: str,
+    port: int,
+    say: Callable[[str], None],
+    open_link: Callable[[str], None],
+) -> None:
+    """Serve until interrupted.
+
+    Args:
+        folder: The output of a marking.
+        who: Who marks, as people write it.
+        port: 0: any that is free.
+        say: Writes a line of words.
+        open_link: Takes the address, with the token that lets a browser in.
+
+    Raises:
+        CannotRead: There is no such folder, a file of it cannot be read, or the port is taken.
+        Refused: It is no marking, something in it has errors, or `who` is no name.
+    """
+    grader = GraderTold(safe(who).lower()[:40], who)
+    desk = Desk(folder, grader)
+    shown = desk.now()
+    with _listener(port) as listener:
+        real = int(listener.getsockname()[1])
+        token, events = new_token(), Events()
+        app = application(desk, token, real, events)
+        address = f"http://{HOST}:{real}/"
+        say(f"the desk of {grader.name} for {shown.book.rows.title}: {address}?token={token}")
+        say("only this machine can reach it; Ctrl-C ends it")
+        for problem in shown.book.problems:
+            say(f"note: {problem}")
+        open_link(f"{address}?token={token}")
+        config = uvicorn.Config(
+            InPieces(app),
+            http=PatientProtocol,
+            ws="none",
+            lifespan="on",
+            log_config=None,
+            access_log=False,
+            server_header=False,
+            date_header=False,  # `Guard` tells the time
+            proxy_headers=False,
+            timeout_graceful_shutdown=5,
+        )
+        _Server(config, events).run(sockets=[listener])
+
+
+class _Server(uvicorn.Server):
+    """uvicorn's own server; who listens to events is sent away first when it ends."""
+
+    def __init__(self, config: uvicorn.Config, events: Events) -> None:
+        super().__init__(config)
+        self._events = events
+
+    def handle_exit(self, sig: int, frame: FrameType | None) -> None:
+        """Begin to end."""
+        self._events.end()
+        super().handle_exit(sig, frame)
+
+
+def _listener(port: int) -> socket.socket:
+    """Return the socket that is listened at.
+
+    Raises:
+        CannotRead: It cannot be had.
+    """
+    try:
+        return socket.create_server((HOST, port), backlog=128)
+    except OSError as problem:
+        if problem.errno == errno.EADDRINUSE:
+            hint = "end it, or choose another port: without `--port` any is taken that is free"
+            raise CannotRead(
+                f"another program listens at port {port} already", (hint,)
+            ) from problem
+        reason = (problem.strerror or str(problem)).lower()
+        raise CannotRead(f"cannot listen at {HOST}, port {port}: {reason}") from problem
