@@ -21,6 +21,8 @@ DOORS = {  # imports within functions below `cli`, each with its reason beside i
     # libraries that need not be installed
     ("vrts.dispatch.transfer.port", "serial"),
     ("vrts.geometry.proposing.choose", "vrts.geometry.proposing.by_coal"),
+    ("vrts.marking.by_hand.decisions.files", "fcntl"),
+    ("vrts.marking.by_hand.decisions.files", "msvcrt"),
     ("vrts.marking.remote.dask_cluster", "dask_jobqueue"),
     ("vrts.marking.remote.mark_on_dask", "vrts.marking.remote.dask_cluster"),
     ("vrts.marking.submission.marker", "vrts.report.recording"),

@@ -20,6 +20,7 @@ class Layout:
         self.results = self.staff / "results.json"
         self.intake = self.staff / "intake.csv"
         self.overrides = self.staff / "overrides.toml"
+        self.decisions = self.staff / "decisions"  # a file for each grader
 
     def student(self, identifier: str) -> Path:
         """Return the folder that may be sent to a student."""

@@ -1,8 +1,8 @@
 """What a grader can write down: one record a line, told apart by `does`.
 
-A record is named `GRADER:NUMBER`, such as `huber:12`. In the file of one grader a later record takes
-the place of an earlier one about the same thing. Between files nothing does: what two graders decide
-differently is a conflict, until a `decide` or an `undo` of somebody settles it.
+A record is named `GRADER:NUMBER`, such as `huber:12`. In the file of one grader a later record
+takes the place of an earlier one about the same thing. Between files nothing does: what two graders
+decide differently is a conflict, until a `decide` or an `undo` of somebody settles it.
 """
 
 from typing import Annotated, Literal
@@ -17,13 +17,19 @@ SCHEMA = "vrts.decisions/1"
 Name = Annotated[
     str, Meta(pattern=r"^[a-z0-9][a-z0-9-]{0,39}:[1-9][0-9]{0,6}$", description="of a record")
 ]
-Students = Annotated[tuple[str, ...], Meta(min_length=1, max_length=5000)]
+Student = Annotated[str, Meta(min_length=1, max_length=200, description="id in the class")]
+Students = Annotated[tuple[Student, ...], Meta(min_length=1, max_length=5000)]
 Words = Annotated[str, Meta(min_length=1, max_length=2000)]
 Line = Annotated[int, Meta(ge=1, le=1_000_000)]
 Time = Annotated[float, Meta(ge=0, le=1_000_000, description="s, in the run")]
 Identifier = Annotated[str, Meta(pattern=r"^[a-z0-9][a-z0-9-]{0,39}$")]
+Digest = Annotated[str, Meta(pattern=r"^([0-9a-f]{64}|none|)$", description="sha256 of a program")]
 Digests = Annotated[
-    dict[str, str], Meta(description="by student, sha256 of the program that was looked at")
+    dict[Student, Digest],
+    Meta(max_length=5000, description="by student, of the program that was looked at"),
+]
+Points = Annotated[
+    Exact, Meta(max_length=24, description="of at most 1000 points, with three decimals")
 ]
 
 
@@ -31,6 +37,7 @@ class Beginning(Record, frozen=True):
     """The first line of a file: whose it is."""
 
     schema: Literal["vrts.decisions/1"]
+    id: Annotated[Identifier, Meta(description="the name of the file, without its ending")]
     grader: Annotated[str, Meta(min_length=1, max_length=200, description="as people call them")]
 
 
@@ -44,11 +51,11 @@ class Said(Record, frozen=True, tag_field="does", omit_defaults=True):
 class Comment(Said, frozen=True, tag="comment"):
     """Words about a program, a line of it, or a moment of its run."""
 
-    student: str
+    student: Student
     text: Words
     line: Line | None = None
     time_s: Time | None = None
-    program: str = ""
+    program: Digest = ""
     private: Annotated[bool, Meta(description="for those who mark only")] = False
 
 
@@ -57,9 +64,10 @@ class Item(Said, frozen=True, tag="item"):
 
     id: Identifier
     title: Words
-    points: Annotated[Exact, Meta(description="added to the mark; negative: taken off")]
+    points: Annotated[Points, Meta(description="added to the mark; negative: taken off")]
     after: Annotated[
-        tuple[Name, ...], Meta(description="versions of the item that this one replaces")
+        tuple[Name, ...],
+        Meta(max_length=100, description="versions of the item that this one replaces"),
     ] = ()
     withdrawn: bool = False
 
@@ -79,9 +87,9 @@ class ChangeMark(Said, frozen=True, tag="change"):
 
     students: Students
     reason: Words
-    delta: Exact | None = None
-    mark: Exact | None = None
-    settles: tuple[str, ...] = ()
+    delta: Points | None = None
+    mark: Points | None = None
+    settles: Annotated[tuple[str, ...], Meta(max_length=20)] = ()
     programs: Digests = msgspec.field(default_factory=dict)
 
 
@@ -110,9 +118,9 @@ class Assign(Said, frozen=True, tag="assign"):
 class Finish(Said, frozen=True, tag="finish"):
     """The grader has looked at this, and would give this mark."""
 
-    student: str
-    mark: Exact | None
-    program: str = ""
+    student: Student
+    mark: Points | None
+    program: Digest = ""
 
 
 class Decide(Said, frozen=True, tag="decide"):
@@ -127,7 +135,7 @@ class Undo(Said, frozen=True, tag="undo"):
     """Records that no longer count, one's own or another grader's."""
 
     records: Annotated[tuple[Name, ...], Meta(min_length=1, max_length=5000)]
-    reason: str = ""
+    reason: Annotated[str, Meta(max_length=2000)] = ""
 
 
 Decision = Comment | Item | Give | ChangeMark | Extend | Excuse | Assign | Finish | Decide | Undo

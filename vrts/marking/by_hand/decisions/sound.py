@@ -1,0 +1,77 @@
+"""Whether a record makes sense by itself: what its types cannot say."""
+
+from collections.abc import Iterable
+from datetime import datetime
+from fractions import Fraction
+
+from vrts.marking.by_hand.decisions.records import (
+    ChangeMark,
+    Decide,
+    Decision,
+    Extend,
+    Finish,
+    Item,
+)
+from vrts.marking.unsafe import ALL, REASONS
+
+MOST_POINTS = 1000
+FINEST = 1000  # points have three decimals
+
+
+def flaw_of(said: Decision) -> str:
+    """Return what is wrong with a record; "" for a sound one."""
+    if not is_time(said.at):
+        return f"`at` is no time with an offset: `{said.at}`"
+    for flaw in _flaws(said):
+        return flaw
+    return ""
+
+
+def _flaws(said: Decision) -> Iterable[str]:
+    match said:
+        case Item():
+            yield from _points(said.points)
+        case ChangeMark():
+            if (said.delta is None) == (said.mark is None):
+                yield "a change has either `delta` or `mark`"
+            yield from _points(said.delta)
+            yield from _mark(said.mark)
+            for reason in said.settles:
+                if reason not in (*REASONS, ALL):
+                    yield f"`{reason[:40]}` is no reason why a mark is unsafe"
+        case Extend():
+            if not is_time(said.due):
+                yield f"`due` is no time with an offset: `{said.due}`"
+        case Finish():
+            yield from _mark(said.mark)
+        case Decide():
+            if said.keep in said.over:
+                yield f"`{said.keep}` cannot count and not count"
+        case _:
+            pass
+
+
+def _mark(text: str | None) -> Iterable[str]:
+    yield from _points(text)
+    if text is not None and text.startswith("-"):
+        yield f"a mark is not below 0: `{text}`"
+
+
+def _points(text: str | None) -> Iterable[str]:
+    if text is None:
+        return
+    try:
+        value = Fraction(text)
+    except (ValueError, ZeroDivisionError):
+        yield f"`{text}` is no number of points"
+        return
+    if abs(value) > MOST_POINTS or (value * FINEST).denominator != 1:
+        yield f"`{text}`: points are from -{MOST_POINTS} to {MOST_POINTS}, with three decimals"
+
+
+def is_time(text: str) -> bool:
+    """Return whether a text is a time with its offset, as ISO 8601 writes it."""
+    try:
+        return datetime.fromisoformat(text).utcoffset() is not None
+    except ValueError:
+        return False

@@ -1,0 +1,231 @@
+"""What is decided about a class: a pure function of the graders' files, whatever their order."""
+
+from collections import defaultdict
+from collections.abc import Hashable, Iterator, Mapping, Sequence
+from datetime import datetime
+from fractions import Fraction
+from types import MappingProxyType
+from typing import NamedTuple
+
+from vrts.marking.by_hand.decisions.counting import counted
+from vrts.marking.by_hand.decisions.items import ItemNow, items_of
+from vrts.marking.by_hand.decisions.ledger import Filed, Ledger
+from vrts.marking.by_hand.decisions.records import (
+    Assign,
+    ChangeMark,
+    Comment,
+    Decide,
+    Decision,
+    Excuse,
+    Extend,
+    Finish,
+    Give,
+)
+from vrts.marking.by_hand.decisions.settled import Settled, settled
+from vrts.marking.by_hand.decisions.words import sentence_of
+
+MARK, EXTENSION, FINISH, ITEM = "mark", "extension", "finish", "item"
+
+
+class Conflict(NamedTuple):
+    """What graders have decided differently: none of it counts."""
+
+    id: str  # the same as long as it is about the same
+    about: str  # MARK, EXTENSION, FINISH or ITEM
+    student: str  # "" of an item
+    sentence: str
+    sides: tuple[Filed, ...]
+
+
+class OfStudent(NamedTuple):
+    """What is decided about one student."""
+
+    comments: tuple[Filed, ...] = ()
+    given: tuple[Filed, ...] = ()  # an item may be given more than once, and counts once
+    mark: tuple[Filed, ...] = ()  # changes or excuses that count and say the same
+    extension: tuple[Filed, ...] = ()  # that say the same
+    assigned: tuple[str, ...] = ()  # ids of graders
+    finished: tuple[Filed, ...] = ()  # the last of each grader
+    preferred: tuple[Filed, Filed] | None = None  # the `finish` that counts, and who decided that
+    lapsed: tuple[Filed, ...] = ()  # about another program: they do not count
+    conflicts: tuple[Conflict, ...] = ()
+
+
+NOTHING = OfStudent()
+
+
+class State(NamedTuple):
+    """What is decided about a class."""
+
+    items: Mapping[str, ItemNow] = MappingProxyType({})
+    students: Mapping[str, OfStudent] = MappingProxyType({})  # about whom anything is decided
+    conflicts: tuple[Conflict, ...] = ()
+    unknown: tuple[tuple[Filed, str], ...] = ()  # records, and ids of students who are not there
+    without_item: tuple[Filed, ...] = ()  # that give an item which is not there
+
+    def of(self, student: str) -> OfStudent:
+        """Return what is decided about a student."""
+        return self.students.get(student, NOTHING)
+
+
+def state_of(ledger: Ledger, programs: Mapping[str, str] | None = None) -> State:
+    """Return what is decided.
+
+    Args:
+        ledger: Of the graders' files.
+        programs: By id of the class, sha256 of the program that is marked now, or `none`. What is
+            about another program lapses, and what is about nobody is told. None: it is not looked.
+    """
+    counting = counted(ledger.records).counting
+    decides = [one for one in counting if isinstance(one.said, Decide)]
+    items, differing = items_of(ledger.records, counting, decides)
+    about: dict[str, list[Filed]] = defaultdict(list)
+    unknown: list[tuple[Filed, str]] = []
+    for one in counting:
+        for student in dict.fromkeys(students_of(one.said)):
+            if programs is not None and student not in programs:
+                unknown.append((one, student))
+            else:
+                about[student].append(one)
+    conflicts = [_of_item(name, sides) for name, sides in differing.items()]
+    of_items = {one.id.removeprefix(f"{ITEM} "): one for one in conflicts}
+    students: dict[str, OfStudent] = {}
+    for student in sorted(about):
+        now = None if programs is None else programs[student]
+        found = _of_student(student, about[student], decides, now)
+        mine = dict.fromkeys(_item(one) for one in found.given)
+        students[student] = found._replace(
+            given=tuple(one for one in found.given if _item(one) in items),
+            conflicts=(*found.conflicts, *(of_items[item] for item in mine if item in of_items)),
+        )
+        conflicts += found.conflicts
+    given = [one for one in counting if isinstance(one.said, Give)]
+    return State(
+        items,
+        {student: found for student, found in students.items() if found != NOTHING},
+        tuple(conflicts),
+        tuple(unknown),
+        tuple(one for one in given if _item(one) not in items),
+    )
+
+
+def students_of(said: Decision) -> tuple[str, ...]:
+    """Return whom a record is about."""
+    match said:
+        case Comment() | Finish():
+            return (said.student,)
+        case Give() | ChangeMark() | Extend() | Excuse() | Assign():
+            return said.students
+        case _:
+            return ()
+
+
+def program_in(said: Decision, student: str) -> str:
+    """Return the sha256 of the program that a record is about; "" where it does not say."""
+    match said:
+        case Comment() | Finish():
+            return said.program
+        case Give() | ChangeMark():
+            return said.programs.get(student, "")
+        case _:
+            return ""
+
+
+def _item(one: Filed) -> str:
+    assert isinstance(one.said, Give)
+    return one.said.item
+
+
+def _of_student(
+    student: str, records: Sequence[Filed], decides: Sequence[Filed], program: str | None
+) -> OfStudent:
+    last: dict[tuple[str, str], Filed] = {}  # in one file later takes the place of earlier
+    added: list[Filed] = []
+    for one in records:
+        kind = _kind(one.said)
+        if kind is None:
+            added.append(one)
+        else:
+            last[kind, one.grader] = one
+    kept: dict[str, list[Filed]] = defaultdict(list)
+    lapsed: list[Filed] = []
+    for kind, one in (*(("", one) for one in added), *((k, one) for (k, _), one in last.items())):
+        bound = program_in(one.said, student)
+        if program is not None and bound and bound != program:
+            lapsed.append(one)
+        else:
+            kept[kind].append(one)
+    conflicts: list[Conflict] = []
+
+    def of(kind: str) -> Settled:
+        found = settled(sorted(kept[kind], key=_place), _content, decides)
+        if found.sides:
+            conflicts.append(_conflict(kind, student, found.sides))
+        return found
+
+    mark, extension, finish = of(MARK), of(EXTENSION), of(FINISH)
+    named = (one.said.graders for one in kept["assign"] if isinstance(one.said, Assign))
+    decided = finish.decided
+    return OfStudent(
+        tuple(one for one in kept[""] if isinstance(one.said, Comment)),
+        tuple(one for one in kept[""] if isinstance(one.said, Give)),
+        mark.kept,
+        extension.kept,
+        tuple(sorted({grader for graders in named for grader in graders})),
+        tuple(sorted((one for one in last.values() if isinstance(one.said, Finish)), key=_place)),
+        None if decided is None else (finish.kept[0], decided),
+        tuple(sorted(lapsed, key=_place)),
+        tuple(conflicts),
+    )
+
+
+def _kind(said: Decision) -> str | None:
+    """Return what a record is about, where a later one takes its place; None where it adds."""
+    match said:
+        case ChangeMark() | Excuse():
+            return MARK
+        case Extend():
+            return EXTENSION
+        case Finish():
+            return FINISH
+        case Assign():
+            return "assign"
+        case _:
+            return None
+
+
+def _content(one: Filed) -> Hashable:
+    said = one.said
+    match said:
+        case Excuse():
+            return "excused"
+        case ChangeMark():
+            value = said.delta if said.delta is not None else said.mark
+            return said.delta is not None, Fraction(value or "0")
+        case Extend():
+            return datetime.fromisoformat(said.due)
+        case Finish():
+            return None if said.mark is None else Fraction(said.mark)
+        case _:
+            return None
+
+
+def _place(one: Filed) -> tuple[str, int]:
+    return one.grader, one.said.number
+
+
+def _conflict(kind: str, student: str, sides: Sequence[Filed]) -> Conflict:
+    return Conflict(f"{kind} {student}", kind, student, _sentence(sides), tuple(sides))
+
+
+def _of_item(name: str, sides: Sequence[Filed]) -> Conflict:
+    return Conflict(f"{ITEM} {name}", ITEM, "", _sentence(sides), tuple(sides))
+
+
+def _sentence(sides: Sequence[Filed]) -> str:
+    return "graders differ: " + "; ".join(_told(sides))
+
+
+def _told(sides: Sequence[Filed]) -> Iterator[str]:
+    for one in sides:
+        yield f"{one.who} ({one.name}): {sentence_of(one)}"
