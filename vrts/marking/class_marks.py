@@ -74,7 +74,11 @@ def with_best_attempts(
         number = best(worth)
         attempt = tried[names[number]][1]
         why = f"the best of {len(names)} attempts, number {number + 1}"
-        chosen[row.identifier] = replace(row, file=attempt.file, received=attempt.received, why=why)
+        if rules is not None and rules.is_exam:
+            why = f"{why}; {row.why}"
+        chosen[row.identifier] = replace(
+            row, file=attempt.file, received=attempt.received, why=why, problem=None
+        )
     return tuple(chosen.get(row.identifier, row) for row in found)
 
 
@@ -82,7 +86,7 @@ def _has_choice(row: Found) -> bool:
     """Return whether there is another attempt than the latest, which may be no program."""
     if row.problem is None:
         return len(row.attempts) > 1
-    return bool(row.attempts) and row.problem.kind is not Problem.EXCUSED
+    return bool(row.attempts) and row.problem.kind not in (Problem.EXCUSED, Problem.AMBIGUOUS)
 
 
 def class_row(found: Found, result: Result, rules: LateRules | None) -> Row:
@@ -109,7 +113,7 @@ def nothing_late(rules: LateRules | None, found: Sequence[Found]) -> tuple[Diagn
     """
     of_canvas = [row for row in found if row.file and row.flagged is not None]
     untold = [row for row in of_canvas if row.received is None and row.late is None]
-    if rules is None or not untold or any(row.flagged for row in of_canvas):
+    if rules is None or rules.is_exam or not untold or any(row.flagged for row in of_canvas):
         return ()
     one = len(untold) == 1
     what = "1 hand-in has" if one else f"{len(untold)} hand-ins have"
@@ -130,7 +134,10 @@ def _entry(tree: Tree, identifier: str, title: str, file: str) -> Entry:
 
 
 def _late(found: Found, result: Result, rules: LateRules | None) -> Lateness | None:
-    late = lateness(rules, found.received, due=found.due, called_late=found.called_late)
+    called = found.called_late
+    if rules is not None and rules.is_exam and not called:
+        called = found.late  # a platform tells what came too late, and not what came too early
+    late = lateness(rules, found.received, due=found.due, called_late=called)
     nothing_came = result.kind in (Kind.MISSING, Kind.EXCUSED)
     if not late.sentence or (late.untimed and nothing_came):
         return None

@@ -14,6 +14,7 @@ ON_TIME = timedelta(0)
 NOTHING = Fraction(0)
 FLAGGED = "late, says the platform, but not when it came"
 UNTIMED = "nothing tells when it came, and being late costs points"
+IN_EXAM = "nothing tells when it came, and only what comes while the exam is open counts"
 
 
 class Lateness(NamedTuple):
@@ -60,9 +61,16 @@ def lateness(
             return Lateness(None, NOTHING, closed=False, sentence=FLAGGED, review=True)
         if called_late is False:
             return UNJUDGED
-        return Lateness(None, NOTHING, closed=False, sentence=UNTIMED, review=True, untimed=True)
+        words = IN_EXAM if rules.is_exam else UNTIMED
+        return Lateness(None, NOTHING, closed=False, sentence=words, review=True, untimed=True)
     deadline = due or rules.due
     late_by = max(ON_TIME, received - deadline)
+    if rules.opens is not None and received < rules.opens:
+        early = f"came {_words(rules.opens - received)} before the exam opened: does not count"
+        return Lateness(ON_TIME, NOTHING, closed=True, sentence=early)
+    if rules.is_exam and late_by:
+        words = f"came {_words(late_by)} after the exam closed: does not count"
+        return Lateness(late_by, NOTHING, closed=True, sentence=words)
     if rules.closed is not None and received > rules.closed + (deadline - rules.due):
         return Lateness(late_by, NOTHING, closed=True, sentence=f"{_words(late_by)} late: closed")
     if late_by <= rules.grace:

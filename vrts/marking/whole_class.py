@@ -21,6 +21,7 @@ from vrts.marking.class_marks import (
     nothing_late,
     with_best_attempts,
 )
+from vrts.marking.intake.exam import counted
 from vrts.marking.intake.row import Intake
 from vrts.marking.intake.row import Row as Found
 from vrts.marking.intake.tables.edited_table import read_rows
@@ -194,9 +195,10 @@ def take_in_class(
     roster = how.roster and read_roster(read_bytes(how.roster), how.roster.name, zone)
     intake = take_in_tree(tree, program=task.program, zone=zone, roster=roster)
     found, warnings = _as_edited(tree, intake, table)
+    found, about_exam = counted(found, task.late)
     if task.keep is Keep.BEST:
         found = with_best_attempts(tree, found, task.late, mark)
-    return TakenIn(found, intake.remarks, warnings)
+    return TakenIn(found, intake.remarks, (*warnings, *about_exam))
 
 
 def table_for(

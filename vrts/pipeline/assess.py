@@ -11,15 +11,20 @@ from vrts.pipeline.execution import executed
 from vrts.pipeline.futures import causes, proven
 from vrts.pipeline.request import Request
 from vrts.report.assessment import Assessment
+from vrts.report.audience import as_allowed
 
 
 def assess(request: Request, compiled: Compiled | None = None) -> Assessment:
-    """Compile, run, check and mark one program.
+    """Compile, run, check and mark one program; without hints where the task allows none.
 
     Args:
         request: What is asked for.
         compiled: The program compiled already; None: it is not.
     """
+    return as_allowed(_assessed(request, compiled), request.setting.stamps)
+
+
+def _assessed(request: Request, compiled: Compiled | None) -> Assessment:
     setting, checks = request.setting, request.checks
     scene, task = setting.scene, setting.task
     found = executed(request, compiled)

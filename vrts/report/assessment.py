@@ -6,6 +6,7 @@ from vrts.base.diagnostic import Diagnostic
 from vrts.base.source import SourceFile
 from vrts.check.judgement import Judgement
 from vrts.check.mark.grade import Grade
+from vrts.check.rules.hints import Hints, without_remedy
 from vrts.check.task.task import Task
 from vrts.engine.motion.remarks import without_forecasts
 from vrts.engine.run import Run
@@ -38,7 +39,9 @@ class Assessment:
         """Every diagnostic: of compiling, of the run in time order, of the checks."""
         found = list(self.diagnostics)
         if self.run is not None:
-            found += without_forecasts(self.run.findings) if self.judgement else self.run.findings
+            said = without_forecasts(self.run.findings) if self.judgement else self.run.findings
+            silent = self.task is not None and self.task.hints is Hints.NOTHING
+            found += map(without_remedy, said) if silent else said
         if self.judgement is not None:
             found += [d for verdict in self.judgement.verdicts for d in verdict.findings]
         return tuple(found)

@@ -1,4 +1,4 @@
-"""For whom a report is: what a student may read, and what only those who mark read.
+"""For whom a report is: what a student may read, what only those who mark read, and no hints.
 
 A student's version is made of an assessment that has seen public checks only; `for_student` takes
 out what is left of the business of marking. Reports never hide what they were given.
@@ -8,7 +8,9 @@ from dataclasses import replace
 from enum import Enum
 from types import MappingProxyType
 
+from vrts.base.diagnostic import Diagnostic
 from vrts.check.mark.grade import REVIEW
+from vrts.check.rules.hints import Hints, without_remedy
 from vrts.check.verdict import Verdict
 from vrts.report.assessment import Assessment
 
@@ -36,6 +38,27 @@ def for_student(a: Assessment) -> Assessment:
         verdicts = tuple(_without_engines(v) for v in judgement.verdicts)
         judgement = replace(judgement, verdicts=verdicts, collisions=report)
     return replace(a, grade=grade, judgement=judgement)
+
+
+def as_allowed(a: Assessment, stamps: tuple[Diagnostic, ...] = ()) -> Assessment:
+    """Return an assessment without anything that tells a remedy, where the task allows no hints.
+
+    Args:
+        a: As found.
+        stamps: Of its diagnostics, those about the files of the task: their remedies stay.
+    """
+    if a.task is None or a.task.hints is not Hints.NOTHING:
+        return a
+    grade, judgement = a.grade, a.judgement
+    if grade is not None:
+        grade = replace(grade, losses=tuple(loss._replace(hint="") for loss in grade.losses))
+    if judgement is not None:
+        verdicts = tuple(
+            replace(v, findings=tuple(map(without_remedy, v.findings))) for v in judgement.verdicts
+        )
+        judgement = replace(judgement, verdicts=verdicts)
+    told = tuple(d if d in stamps else without_remedy(d) for d in a.diagnostics)
+    return replace(a, diagnostics=told, grade=grade, judgement=judgement)
 
 
 def hidden_checks(whole: Assessment, public: Assessment) -> frozenset[str]:

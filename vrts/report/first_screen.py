@@ -11,6 +11,7 @@ from vrts.base.diagnostic import Diagnostic, Moment
 from vrts.base.source import SourceFile, Span
 from vrts.check.mark.grade import Loss, Status
 from vrts.check.mark.ready import obstacles
+from vrts.check.rules.hints import Hints
 from vrts.check.rules.scheme import TOTAL
 from vrts.check.verdict import Answer, Verdict
 from vrts.engine.memory.records import Ending
@@ -111,6 +112,8 @@ def _cause(
 def _loop_hint(a: Assessment, worst: Loss) -> str | None:
     """Return what the compiler said of an endless loop when a limit stopped the run."""
     if worst.kind != "program" or a.run is None or a.run.ending is not Ending.LIMIT:
+        return None
+    if a.task is not None and a.task.hints is Hints.NOTHING:
         return None
     said = (d for d in a.diagnostics if d.rule.slug == "endless-loop")
     first = next(said, None)

@@ -3,6 +3,7 @@
 from pathlib import Path
 
 from vrts.assignments.handed.facts import Fact, facts_of
+from vrts.assignments.handed.from_network import network_findings
 from vrts.assignments.handed.prose import contradictions
 from vrts.assignments.handed.readme import NAME, differences, marker_findings, part_of, written
 from vrts.assignments.handed.task_words import task_words
@@ -55,7 +56,7 @@ def handed_findings(folder: Path, public: Setting) -> tuple[Diagnostic, ...]:
     task = public.task
     assert task is not None
     words, facts = task_words(task, public.scene), facts_of(task, public.scene)
-    found = list(_of_description(public, facts))
+    found = [*_of_description(public, facts), *network_findings(folder, task)]
     text = _text(folder / NAME)
     if text is None:
         return (*found, *marker_findings(_made(folder, task)))

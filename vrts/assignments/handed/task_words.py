@@ -6,6 +6,7 @@ from fractions import Fraction
 from typing import TypeAlias
 
 from vrts.assignments.handed.demand_words import demand_words
+from vrts.assignments.handed.exam_words import exam_words
 from vrts.assignments.handed.words import box, number, place, points, title, turn
 from vrts.base.units import deg, mm
 from vrts.check.goals.placed import counted
@@ -47,6 +48,7 @@ def task_words(task: Task, scene: Scene) -> str:
         ("### What a program must keep to", "", _bullets(demand_words(task))),
         ("### What costs points", "", _bullets(_costs(scheme))),
         ("### Speed", "", (_speed(task),)),
+        ("### The exam", "", _bullets(exam_words(task))),
         ("### What else is so", "", _bullets(_rest(task))),
     ]
     return "\n".join(_section(*part) for part in parts if part[-1])
@@ -201,11 +203,12 @@ def _rest(task: Task) -> Iterator[str]:
         yield f"a program may not set {', '.join(f'`{name}`' for name in locks.names)}"
     if locks.acceleration < FULL_ACCELERATION:
         yield f"`ACCEL` may ask for {number(locks.acceleration)} % at most"
-    if task.late is not None:
+    exam = task.late is not None and task.late.is_exam  # which says so itself
+    if task.late is not None and not exam:
         yield from _late(task.late)
-    if task.keep is Keep.BEST:
+    if task.keep is Keep.BEST and not exam:
         yield "of several hand-ins, the one with the best mark counts"
-    elif task.late is not None:
+    elif task.late is not None and not exam:
         yield "of several hand-ins, the latest counts"
     yield TOLD[task.hints]
     yield "marking may have more checks, which share these points; `vrts grade` says how many"

@@ -1,7 +1,9 @@
 """How much of what would mend a program its author may be told."""
 
+from dataclasses import replace
 from enum import IntEnum
 
+from vrts.base.diagnostic import Diagnostic
 from vrts.base.toml.reading import Table
 
 
@@ -26,3 +28,8 @@ def read_hints(top: Table) -> Hints:
     said = section.string("level", required=True, choices=LEVELS)
     section.finish()
     return LEVELS.get(said or "", Hints.NOTHING)
+
+
+def without_remedy(d: Diagnostic) -> Diagnostic:
+    """Return a diagnostic that tells what is wrong, and nothing of what would mend it."""
+    return d if not d.help and d.fix is None else replace(d, help=(), fix=None)

@@ -1,7 +1,8 @@
-"""Reads `[late]` and `[submissions]` of a task: deadlines, what lateness costs, what counts."""
+"""Reads `[late]`, `[exam]`, `[submissions]` of a task: deadlines, cost of lateness, what counts."""
 
 from datetime import timedelta
 from fractions import Fraction
+from typing import NamedTuple
 
 from vrts.base.diagnostic import Rule
 from vrts.base.toml.reading import Problems, Table
@@ -9,8 +10,64 @@ from vrts.check.rules.scheme import TOTAL
 from vrts.check.task.late_rules import Keep, LateRules, LateStep
 
 LATE = Rule("V710", "late-rules")
+EXAM = Rule("V873", "exam-rules")
 
 LONGEST = 24 * 366  # [h] of a step, or of grace
+MOST_ATTEMPTS = 100
+NO_HINTS, HINTS_OF_TASK = "none", "task"  # values of `hints` in `[exam]`
+
+
+class Exam(NamedTuple):
+    """What the section `[exam]` says."""
+
+    rules: LateRules | None  # None: its times are wrong
+    keep: Keep  # which of the attempts that count
+    hints: bool  # whether students get the hints that `[hints]` allows
+    offline: bool  # whether students are to work without a network
+
+
+def read_exam(top: Table, problems: Problems) -> Exam | None:
+    """Return the rules of `[exam]`; None where there is no such section.
+
+    An exam says itself what comes in time and what counts, and allows no hints: other sections
+    that say so too are told as wrong.
+    """
+    section = top.table("exam")
+    if section is None:
+        return None
+    opens = section.time("opens", required=True)
+    closes = section.time("closes", required=True)
+    attempts = section.integer("attempts", 1, minimum=1, maximum=MOST_ATTEMPTS)
+    hints = section.string("hints", NO_HINTS, choices=(NO_HINTS, HINTS_OF_TASK))
+    offline = section.boolean("offline", default=True)
+    section.finish()
+    for other, why in (("late", "when it closes"), ("submissions", "which hand-in counts")):
+        if other in top:
+            problems.error(
+                EXAM,
+                f"`[exam]` says itself {why}: a task with it has no `[{other}]`",
+                top.span_of(other),
+                help=(f"delete `[{other}]`, or `[exam]` if this is no exam",),
+            )
+    if hints == NO_HINTS and "hints" in top:
+        problems.error(
+            EXAM,
+            "`[hints]` has no effect in an exam without hints",
+            top.span_of("hints"),
+            help=('delete `[hints]`, or write `hints = "task"` in `[exam]` to allow them',),
+        )
+    if opens is not None and closes is not None and closes <= opens:
+        problems.error(
+            EXAM,
+            "the exam closes before it opens",
+            section.value_span("closes"),
+            help=("write in `closes` a time after the one in `opens`",),
+        )
+    rules = None
+    if opens is not None and closes is not None:
+        rules = LateRules(closes, closed=closes, opens=opens, attempts=attempts)
+    keep = Keep.BEST if attempts > 1 else Keep.LATEST
+    return Exam(rules, keep, hints == HINTS_OF_TASK, offline)
 
 
 def read_late(top: Table, problems: Problems, total: Fraction = TOTAL) -> LateRules | None:

@@ -1,4 +1,4 @@
-"""When hand-ins are due, what lateness costs, and which of several counts."""
+"""When hand-ins are due, what lateness costs, and which of several counts; also of an exam."""
 
 from dataclasses import dataclass
 from datetime import datetime, timedelta
@@ -33,3 +33,10 @@ class LateRules:
     steps: tuple[LateStep, ...] = ()  # instead: the last one that applies
     most: Fraction = TOTAL  # points that lateness costs at most
     closed: datetime | None = None  # what comes after this gets 0
+    opens: datetime | None = None  # of an exam: what comes before this gets 0; None: no exam
+    attempts: int | None = None  # so many of a student's hand-ins count, the first; None: all
+
+    @property
+    def is_exam(self) -> bool:
+        """Whether only what comes while an exam is open counts."""
+        return self.opens is not None

@@ -19,7 +19,7 @@ from vrts.scene.model import Scene
 
 STAFF_PART = Rule("V664", "staff-part")
 
-PUBLIC_ONLY = ("task", "time", "mark", "late", "submissions", "settings", "variants")  # sections
+PUBLIC_ONLY = ("task", "time", "mark", "late", "exam", "submissions", "settings", "variants")
 
 
 class WholeTask(NamedTuple):

@@ -63,6 +63,7 @@ class Task:
     hints: Hints = Hints.EDIT  # what authors of programs may be told of what would mend them
     description: str = ""  # what is to be done, in the words of who set the task
     variants: Variants | None = None  # of which each student gets one; None: all have this task
+    offline: bool = False  # an exam in which students are to work without a network
 
     @property
     def targets(self) -> tuple[Goal | Relation, ...]:

@@ -8,13 +8,13 @@ from vrts.base.diagnostic import Diagnostic, Rule
 from vrts.base.source import SourceFile
 from vrts.base.toml.reading import Problems, Table, read_toml
 from vrts.base.units import MM
-from vrts.check.rules.hints import read_hints
+from vrts.check.rules.hints import Hints, read_hints
 from vrts.check.rules.mark_file import read_mark
 from vrts.check.rules.proof_file import read_proof
 from vrts.check.rules.settings_file import read_settings
 from vrts.check.task.demand_file import read_demands
 from vrts.check.task.goal_file import read_goals
-from vrts.check.task.late_file import read_keep, read_late
+from vrts.check.task.late_file import read_exam, read_keep, read_late
 from vrts.check.task.relation_file import read_relations
 from vrts.check.task.task import Task
 from vrts.check.task.via_file import read_via
@@ -78,10 +78,15 @@ def _task(
     t_par, t_max = _times(top, problems)
     near_miss = _near_miss(top)
     late, keep = read_late(top, problems, mark.total), read_keep(top)
+    exam = read_exam(top, problems)
+    if exam is not None:
+        late, keep = exam.rules, exam.keep
     locks = read_settings(top, problems)
     proof = read_proof(top, problems, mark.total)
     hints = read_hints(top)
     variants = read_variants(top, problems)
+    if exam is not None and not exam.hints:
+        hints = Hints.NOTHING
     top.finish()
     return Task(
         name,
@@ -105,6 +110,7 @@ def _task(
         hints,
         description,
         variants,
+        exam is not None and exam.offline,
     )
 
 

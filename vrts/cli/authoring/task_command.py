@@ -118,6 +118,10 @@ def pack(folder: Path, target: Path, versions: tuple[str, ...], color: str) -> N
         out(f"{path}: {count} files")
     checks = "1 hidden check" if setting.hidden == 1 else f"{setting.hidden} hidden checks"
     out(f"students are told of {checks}")
+    rules = None if setting.task is None else setting.task.late
+    if rules is not None and rules.opens is not None:
+        opens = rules.opens.isoformat(" ")
+        out(f"exam: hand {files.name}-student.zip out at {opens}; a zip cannot lock itself")
 
 
 def _folder(path: Path) -> Path:

@@ -14,6 +14,7 @@ from threading import Thread
 from vrts.base.diagnostic import Diagnostic, Label, Rule, Severity
 from vrts.base.source import SourceFile
 from vrts.check.judge import judge
+from vrts.check.rules.hints import Hints, without_remedy
 from vrts.engine.run import Run
 from vrts.lang.findings.names.untaught import names_of
 from vrts.lsp.channel.findings import Finding, Found, told
@@ -71,6 +72,8 @@ def verify(asked: Asked, tell: Callable[[Answer], None] = lambda _: None) -> Ans
 
     def shown(found: list[Found]) -> tuple[Finding, ...]:
         new = [f for f in found if f.diagnostic.data.get("name") not in known]
+        if setting.task is not None and setting.task.hints is Hints.NOTHING:
+            new = [f._replace(diagnostic=without_remedy(f.diagnostic)) for f in new]
         return told(new, path, header, where)
 
     def again(text: str) -> Run | None:

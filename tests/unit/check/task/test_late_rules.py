@@ -7,7 +7,8 @@ import pytest
 
 from vrts.base.source import SourceFile
 from vrts.base.toml.reading import read_toml
-from vrts.check.task.late_file import read_keep, read_late
+from vrts.check.rules.hints import Hints
+from vrts.check.task.late_file import read_exam, read_keep, read_late
 from vrts.check.task.late_rules import Keep, LateRules, LateStep
 from vrts.check.task.staff import read_whole_task
 from vrts.check.task.task import Task
@@ -139,3 +140,59 @@ def test_a_task_with_wrong_rules_is_refused() -> None:
 @pytest.mark.parametrize("hidden", [START + "per_day = 1\n", '[submissions]\nkeep = "best"\n'])
 def test_rules_cannot_be_hidden_from_students(hidden: str) -> None:
     assert task_of("", hidden) == (None, ["V664"])
+
+
+EXAM = """[exam]
+opens = 2026-12-01T09:00:00+01:00
+closes = 2026-12-01T11:00:00+01:00
+"""
+
+
+def test_an_exam_counts_what_comes_while_it_is_open_and_gives_no_hints() -> None:
+    task, codes = task_of(EXAM)
+    assert codes == []
+    assert task is not None
+    opens = datetime(2026, 12, 1, 9, tzinfo=CET)
+    closes = opens + timedelta(hours=2)
+    assert task.late == LateRules(closes, closed=closes, opens=opens, attempts=1)
+    assert (task.keep, task.hints, task.offline) == (Keep.LATEST, Hints.NOTHING, True)
+
+
+def test_the_best_of_several_attempts_with_the_hints_of_the_task() -> None:
+    more = 'attempts = 3\nhints = "task"\noffline = false\n[hints]\nlevel = "place"\n'
+    task, codes = task_of(EXAM + more)
+    assert codes == []
+    assert task is not None
+    assert task.late is not None
+    assert (task.late.attempts, task.keep) == (3, Keep.BEST)
+    assert (task.hints, task.offline) == (Hints.PLACE, False)
+
+
+@pytest.mark.parametrize(
+    ("text", "code", "place"),
+    [
+        ("[exam]\ncloses = 2026-12-01T11:00:00+01:00\n", "V603", "[exam]"),
+        (EXAM.replace("T11:00:00+01:00", "T11:00:00"), "V604", "2026-12-01T11:00:00"),
+        (EXAM.replace("T11", "T08"), "V873", "2026-12-01T08:00:00+01:00"),
+        (EXAM + "attempts = 0\n", "V605", "0"),
+        (EXAM + 'attempts = "one"\n', "V604", '"one"'),
+        (EXAM + 'hints = "some"\n', "V606", '"some"'),
+        (EXAM + "opened = true\n", "V602", "opened"),
+        (EXAM + START + "per_day = 1\n", "V873", "late"),
+        (EXAM + '[submissions]\nkeep = "best"\n', "V873", "submissions"),
+        (EXAM + '[hints]\nlevel = "edit"\n', "V873", "hints"),
+    ],
+)
+def test_what_is_wrong_with_an_exam_is_told_where_it_stands(
+    text: str, code: str, place: str
+) -> None:
+    top, problems = read_toml(SourceFile("task.toml", text))
+    assert top is not None
+    read_exam(top, problems)
+    found = [(d.rule.code, d.primary.span.text if d.primary else "") for d in problems.found]
+    assert found == [(code, place)]
+    assert task_of(text)[0] is None
+
+
+def test_an_exam_cannot_be_hidden_from_students() -> None:
+    assert task_of("", EXAM) == (None, ["V664"])
