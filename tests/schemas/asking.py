@@ -12,7 +12,8 @@ from typing import Any, NamedTuple
 
 from vrts.base.toml.reading import Table
 
-NAMED = {"objects": "objects.*"}  # tables whose keys are names: [objects.can1]
+# tables whose keys are names: [objects.can1]
+NAMED = {"objects": "objects.*", "locations": "locations.*"}
 GETTERS = {
     "string": "string",
     "number": "number",

@@ -70,6 +70,8 @@ def _open(where: str, own: Sequence[Asked], notes: Sequence[Asked], words: Words
         return {"type": "object", "additionalProperties": schema_of(inner, notes, words)}
     values = [note for note in own if note.question.kind in ("number", "numbers", "array")]
     value = plain([note.question for note in values])
+    if where == "locations":  # with numbers of its own, or after another one
+        value = {"anyOf": [value, schema_of("locations.*", notes, words)]}
     if where == "parameters":
         return _named_anyhow({note.key.lower() for note in values}, value)
     return {"type": "object", "additionalProperties": value}

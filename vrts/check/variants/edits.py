@@ -64,10 +64,8 @@ def edited(source: SourceFile, edits: Iterable[Edit], drop: Iterable[tuple[str, 
             place = find(root, path)
         except NoPath:
             continue
-        if place.items or place.fields is not None:
-            gone += _tables(place, headers, text)
-        else:
-            gone.append(_lines(place, text))
+        tables = tuple(_tables(place, headers, text))
+        gone += tables or (_lines(place, text),)
     changes = [(at, new) for at, new in changes if not any(a <= at[0] < b for a, b in gone)]
     changes += [(at, "") for at in _joined(gone)]
     for (start, end), new in sorted(changes, reverse=True):
@@ -137,7 +135,7 @@ def _headers(place: Place, text: str) -> Iterator[int]:
 def _tables(place: Place, headers: list[int], text: str) -> Iterator[Range]:
     """Yield the ranges of a table, or of tables of one name, with all tables in them."""
     own = set(_headers(place, text))
-    if place.fields is not None:
+    if place.fields is not None and text.startswith("[", place.value[0]):
         own.add(place.value[0])
     for start in sorted(own):
         following = next((at for at in headers if at > start), len(text))

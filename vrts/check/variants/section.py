@@ -128,7 +128,7 @@ def _range(table: Table, problems: Problems) -> list[object] | None:
     """Return the numbers from one to another; None where there is no range, or it is wrong."""
     start, end = table.fraction("from"), table.fraction("to")
     step = table.fraction("step", above=0.0)
-    if not any(key in table for key in RANGE):
+    if "choices" in table or not any(key in table for key in RANGE):
         return None
     for key in RANGE:
         if key not in table:

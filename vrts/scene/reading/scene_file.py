@@ -12,7 +12,6 @@ from pathlib import Path
 from types import MappingProxyType
 
 from vrts.base.diagnostic import Diagnostic, Label, Rule
-from vrts.base.oat import pose_from_components
 from vrts.base.pose import Pose
 from vrts.base.source import SourceFile
 from vrts.base.toml.reading import Problems, Table, read_toml
@@ -28,6 +27,7 @@ from vrts.scene.reading.files import SceneFolder
 from vrts.scene.reading.form_section import CARRIED, COLORS, FARTHEST, MAY_BE_FIXED, read_form
 from vrts.scene.reading.gripper_section import read_gripper
 from vrts.scene.reading.lab import in_lab, laid_over, read_lab
+from vrts.scene.reading.locations_section import INVALID_NAME, read_following, read_locations
 from vrts.scene.reading.robot_section import read_robot
 from vrts.scene.standing import (
     check_overlaps,
@@ -39,7 +39,6 @@ from vrts.scene.standing import (
 from vrts.scene.things.placing import Draft, Placer
 
 NAME_CLASH = Rule("V611", "name-clash")
-INVALID_NAME = Rule("V612", "invalid-name")
 HEIGHT = Rule("V610", "height-of-object")
 UNKNOWN_COLOR = Rule("V607", "unknown-color")
 
@@ -132,7 +131,7 @@ def _scene(top: Table, folder: SceneFolder, problems: Problems, named: str | Non
     bodies = Placer(drafts, declared, floor, X_WS, problems).place_all()
     given: Mapping[str, Pose] = {}
     if locations_section is not None:
-        given = _locations(locations_section, X_WS)
+        given = read_locations(locations_section, X_WS)
     scene = Scene(
         name,
         title + lab.suffix(),
@@ -153,7 +152,10 @@ def _scene(top: Table, folder: SceneFolder, problems: Problems, named: str | Non
     scene = replace(scene, bodies=_supported(bodies, problems))
     if problems.any_error:
         return None
-    return replace(scene, locations=find_places(scene, given, locations_section, problems))
+    places = dict(find_places(scene, given, locations_section, problems))
+    if locations_section is not None:
+        places.update(read_following(locations_section, places, X_WS))
+    return None if problems.any_error else replace(scene, locations=places)
 
 
 def _digest(source: SourceFile, folder: SceneFolder) -> str:
@@ -163,27 +165,6 @@ def _digest(source: SourceFile, folder: SceneFolder) -> str:
         digest.update(f"\0{name}\0{len(data)}\0".encode())
         digest.update(data)
     return digest.hexdigest()
-
-
-def _pose(xyzoat: tuple[float, ...]) -> Pose:
-    x, y, z, o, a, t = xyzoat
-    return pose_from_components(x, y, z, o, a, t)
-
-
-def _locations(section: Table, X_WS: Pose) -> Mapping[str, Pose]:
-    found: dict[str, Pose] = {}
-    for name in section.keys:
-        values = section.numbers(name, count=6, minimum=-FARTHEST, maximum=FARTHEST)
-        if not _NAME.fullmatch(name) or len(name) > 15:
-            section.problems.error(
-                INVALID_NAME,
-                f"invalid location name `{name}`",
-                section.span_of(name),
-                help=("a name has letters, digits and _, begins with a letter, at most 15 long",),
-            )
-        elif values is not None:
-            found[name.lower()] = X_WS @ _pose(values)
-    return found
 
 
 def _draft(name: str, section: Table, chosen: Robot) -> Draft | None:
