@@ -1,0 +1,62 @@
+// What graders decided differently: both sides, and which of them counts.
+
+import { button, byId, make, prose, write } from "../../live/dom.js";
+import { when } from "../words.js";
+
+/** @typedef {import("../desk.js").Desk} Desk */
+/** @typedef {import("../types.js").Conflict} Conflict */
+
+/** The view. */
+export class Conflicts {
+  /** @param {Desk} desk */
+  constructor(desk) {
+    this.desk = desk;
+    this.place = /** @type {HTMLElement} */ (byId("view-conflicts"));
+    /** What was typed, by conflict. @type {Map<string, string>} */
+    this.drafts = new Map();
+    this.seen = "";
+    desk.on(["class", "view"], () => this.fill());
+  }
+
+  fill() {
+    const conflicts = this.desk.data?.conflicts ?? [];
+    const badge = byId("conflict-count");
+    write(badge, conflicts.length ? String(conflicts.length) : "");
+    badge.classList.toggle("bad", conflicts.length > 0);
+    const seen = JSON.stringify(conflicts);
+    if (seen === this.seen) return; // what is being typed stays
+    this.seen = seen;
+    this.place.replaceChildren(make("section", {}, make("h2", { text: "Conflicts" }),
+      make("p", { class: "soft", text: conflicts.length ? "Two graders decided differently about the same thing. Neither counts, and the mark is unsafe, until somebody says which one holds." : "No two graders contradict each other." })),
+      ...conflicts.map((conflict) => this.card(conflict)));
+  }
+
+  /** @param {Conflict} conflict */
+  card(conflict) {
+    const { desk } = this;
+    const row = conflict.student ? desk.rows.get(conflict.student) : undefined;
+    const reason = make("input", { "aria-label": "Reason", placeholder: "Why this one holds", maxlength: 500, value: this.drafts.get(conflict.id) ?? "" });
+    reason.addEventListener("input", () => this.drafts.set(conflict.id, reason.value));
+    const title = make("h3", {}, ...prose(conflict.sentence));
+    const decide = async (/** @type {string} */ keep, /** @type {string} */ sentence) => {
+      if (!reason.value.trim()) {
+        reason.setCustomValidity("Give a reason: it is kept with the decision.");
+        reason.reportValidity();
+        reason.addEventListener("input", () => reason.setCustomValidity(""), { once: true });
+        return;
+      }
+      const over = conflict.sides.map((side) => side.record).filter((record) => record !== keep);
+      if (await desk.act([{ does: "decide", keep, over, reason: reason.value.trim() }], `Decided: ${sentence}`)) this.drafts.delete(conflict.id);
+    };
+    return make("section", { class: "conflict", "aria-label": conflict.sentence }, title,
+      ...(row ? [make("p", {}, button(`Look at ${row.name}`, () => {
+        desk.show("work");
+        void desk.choose(row.id);
+      }, { class: "as-link" }))] : []),
+      make("label", { class: "reason" }, "Reason ", reason),
+      make("div", { class: "sides" }, ...conflict.sides.map((side) => make("article", { class: "side" },
+        make("p", { class: "soft", text: `${desk.nameOf(side.who)}, ${when(side.at)}` }),
+        make("p", { class: "what" }, ...prose(side.sentence)),
+        button("This one holds", () => void decide(side.record, side.sentence), { class: "main", "aria-label": `This one holds: ${desk.nameOf(side.who)}, ${side.sentence}` })))));
+  }
+}

@@ -1,0 +1,88 @@
+// The class in numbers: marks, checks, causes, attempts, graders.
+
+import { get } from "../api.js";
+import { button, byId, make, prose } from "../../live/dom.js";
+import { counted, mark, points } from "../words.js";
+import { histogram, progress, table } from "./charts.js";
+
+/** @typedef {import("../desk.js").Desk} Desk */
+/** @typedef {import("../types.js").Statistics} Data */
+
+/** The view. */
+export class StatisticsView {
+  /** @param {Desk} desk @param {(cause: string) => void} bulk */
+  constructor(desk, bulk) {
+    this.desk = desk;
+    this.bulk = bulk;
+    this.place = /** @type {HTMLElement} */ (byId("view-statistics"));
+    this.seen = "";
+    desk.on(["view", "class"], () => void this.fill());
+  }
+
+  async fill() {
+    const { data, view } = this.desk;
+    if (view !== "statistics" || !data || this.seen === data.revision) return;
+    this.seen = data.revision;
+    try {
+      this.draw(await get("/api/statistics"));
+    } catch (problem) {
+      this.seen = "";
+      this.desk.failed(problem, () => void this.fill());
+    }
+  }
+
+  /** @param {Data} data */
+  draw(data) {
+    const { desk } = this;
+    const top = this.place.scrollTop;
+    this.place.replaceChildren(
+      section("Marks",
+        make("p", { class: "lead" }, "Mean ", make("b", { text: mark(data.mean) }), ", median ", make("b", { text: mark(data.median) }), ` of ${desk.total}; ${counted(desk.rows.size, "program")}.`),
+        histogram(data.marks, "Final marks")),
+      section("Checks", this.checks(data)),
+      section("Causes", this.causes(data)),
+      ...(data.attempts.length > 1 ? [section("Progress over attempts", progress(data.attempts, desk.total),
+        table("Attempts", ["Attempt", "#Students", "#Mean", "#Median"], data.attempts.map((row) => [String(row.number), String(row.count), mark(row.mean), mark(row.median)])))] : []),
+      section("Graders", data.graders.length ? table("Graders", ["Grader", "#Assigned", "#Finished", "#Mean"],
+        data.graders.map((row) => [desk.nameOf(row.who), String(row.rows), String(row.finished), mark(row.mean)])) : make("p", { class: "soft", text: "Nobody has decided anything yet." }),
+        ...this.double(data)),
+    );
+    this.place.scrollTop = top;
+  }
+
+  /** @param {Data} data */
+  checks(data) {
+    if (!data.checks.length) return make("p", { class: "soft", text: "No check was made." });
+    return make("div", {},
+      make("p", { class: "soft", text: "Discrimination: how well a check tells strong programs from weak ones, from −1 to 1. Near 0 or below, look at the check." }),
+      make("div", { class: "check-cards" }, ...data.checks.map((check) => make("article", { class: "check-card" },
+        make("h3", {}, ...prose(check.title || check.id)),
+        histogram(check.histogram, check.title || check.id, { small: true }),
+        make("p", { class: "soft" }, `mean ${check.mean === null ? "–" : Math.round(check.mean * 100) / 100} of ${check.most}; all points ${check.full}, none ${check.none}`),
+        make("p", { class: check.discrimination !== null && check.discrimination < 0.1 ? "weak" : "" }, "discrimination ", make("b", { text: check.discrimination === null ? "–" : check.discrimination.toFixed(2).replace("-", "−") }))))));
+  }
+
+  /** @param {Data} data */
+  causes(data) {
+    if (!data.causes.length) return make("p", { class: "soft", text: "Nobody lost anything." });
+    return table("What was lost most often", ["Cause", "#Points", "#Students"], data.causes.map((cause) => [
+      button(cause.sentence.replaceAll("`", ""), () => this.bulk(cause.key), { class: "as-link" }), points(cause.points), String(cause.count)]));
+  }
+
+  /** @param {Data} data */
+  double(data) {
+    if (!data.double.length) return [];
+    const { desk } = this;
+    return [table("Marked by two", ["Student", "Marks", "#Difference"], data.double.map((row) => [
+      button(desk.rows.get(row.student)?.name ?? row.student, () => {
+        desk.show("work");
+        void desk.choose(row.student);
+      }, { class: "as-link" }),
+      Object.entries(row.marks).map(([who, value]) => `${desk.nameOf(who)} ${mark(value)}`).join(", "), mark(row.difference)]))];
+  }
+}
+
+/** @param {string} title @param {(Node | string)[]} body */
+function section(title, ...body) {
+  return make("section", {}, make("h2", { text: title }), ...body);
+}

@@ -1,0 +1,114 @@
+// Why the mark is what it is: what was lost and when, the checks, the steps, and what graders did.
+
+import { button, byId, make, prose } from "../../live/dom.js";
+import { amount, mark, moment, points, when } from "../words.js";
+import { tabs } from "./tabs.js";
+
+/** @typedef {import("../desk.js").Desk} Desk */
+
+/** The reasons. */
+export class Reasons {
+  /** @param {Desk} desk @param {import("../frame.js").Replay} replay @param {import("./source.js").Source} source @param {(cause: string) => void} bulk */
+  constructor(desk, replay, source, bulk) {
+    this.desk = desk;
+    this.replay = replay;
+    this.source = source;
+    this.bulk = bulk;
+    this.lost = make("div", {});
+    this.checks = make("div", {});
+    this.history = make("div", {});
+    const all = tabs("Reasons", [["lost", "Reasons", this.lost], ["checks", "Checks", this.checks], ["history", "History", this.history]]);
+    byId("reasons").append(all.bar, ...all.panels);
+    desk.on(["chosen"], () => this.fill());
+    desk.on(["detail"], () => this.fill());
+  }
+
+  fill() {
+    const { detail } = this.desk;
+    for (const one of [this.lost, this.checks, this.history]) {
+      one.replaceChildren();
+      one.scrollTop = 0;
+    }
+    if (!detail) return;
+    this.lost.append(...this.doubts(detail), ...this.losses(detail), ...steps(detail), ...attempts(detail));
+    this.checks.append(...checks(detail));
+    this.history.append(...this.past(detail));
+  }
+
+  /** @param {import("../types.js").Detail} detail */
+  doubts(detail) {
+    if (!detail.row.unsafe.length) return [];
+    return [make("div", { class: "doubts" }, make("h3", { text: "This mark is unsafe" }),
+      make("ul", {}, ...detail.row.unsafe.map((doubt) => make("li", {}, make("b", { text: doubt.reason }), " ", ...prose(doubt.sentence)))))];
+  }
+
+  /** @param {import("../types.js").Detail} detail */
+  losses(detail) {
+    if (!detail.losses.length) return [make("h3", { text: "Lost" }), make("p", { class: "soft", text: "Nothing was lost." })];
+    return [make("h3", { text: "Lost" }), make("ul", { class: "losses" }, ...detail.losses.map((loss) => this.loss(loss)))];
+  }
+
+  /** @param {import("../types.js").Loss} loss */
+  loss(loss) {
+    const where = make("p", { class: "jumps" });
+    const time = loss.time_s;
+    const line = loss.line;
+    if (time !== null && time !== undefined) where.append(button(`at ${moment(time)}`, () => this.replay.show(time), { class: "jump" }));
+    if (line) where.append(button(`line ${line}`, () => {
+      this.source.reveal(line);
+      this.desk.pick(line);
+      if (time === null || time === undefined) this.replay.showLine(line);
+      else this.replay.show(time);
+    }, { class: "jump" }));
+    const cause = this.desk.data?.causes.find((one) => one.key === loss.cause);
+    if (cause && cause.count > 1) where.append(button(`all ${cause.count} who lost this`, () => this.bulk(cause.key), { class: "jump" }));
+    return make("li", {}, make("b", { class: "points", text: points(loss.points) }),
+      make("div", {}, make("p", {}, ...prose(loss.sentence)), ...(loss.hint ? [make("p", { class: "soft" }, ...prose(loss.hint))] : []), where));
+  }
+
+  /** @param {import("../types.js").Detail} detail */
+  past(detail) {
+    if (!detail.history.length) return [make("p", { class: "soft", text: "Nobody has decided anything here yet." })];
+    return [make("ul", { class: "past" }, ...[...detail.history].reverse().map((one) => {
+      const entry = make("li", { class: one.undone_by ? "undone" : "" },
+        make("p", {}, ...prose(one.sentence)),
+        make("p", { class: "soft", text: `${one.name || one.who}, ${when(one.at)}${one.undone_by ? `, undone by ${one.undone_by.split(":")[0]}` : ""}` }));
+      if (!one.undone_by) entry.append(button("Undo", () => void this.desk.undo([one.record], one.sentence), { class: "jump", "aria-label": `Undo: ${one.sentence}` }));
+      return entry;
+    }))];
+  }
+}
+
+/** @param {import("../types.js").Detail} detail */
+function steps(detail) {
+  if (!detail.steps.length) return [];
+  return [make("h3", { text: "From the computed to the final mark" }), make("table", { class: "steps" },
+    make("tbody", {}, ...detail.steps.map((step) => make("tr", {},
+      make("th", { scope: "row" }, ...prose(step.title)),
+      make("td", {}, ...prose(step.sentence ?? "")),
+      make("td", { class: "number", text: step.points === null ? "" : points(step.points) }))),
+    make("tr", { class: "total" }, make("th", { scope: "row", text: "Final" }), make("td", {}), make("td", { class: "number", text: mark(detail.row.final) }))))];
+}
+
+/** @param {import("../types.js").Detail} detail */
+function attempts(detail) {
+  if (detail.attempts.length < 2) return [];
+  return [make("h3", { text: "Attempts" }), make("ul", { class: "past" }, ...detail.attempts.map((one) =>
+    make("li", {}, make("p", { text: `${mark(one.mark)} · ${one.file ?? ""}` }), make("p", { class: "soft", text: when(one.at) }))))];
+}
+
+/** @param {import("../types.js").Detail} detail */
+function checks(detail) {
+  if (!detail.checks.length) return [make("p", { class: "soft", text: "No check was made." })];
+  return [make("ul", { class: "checks" }, ...detail.checks.map((check) => {
+    const most = amount(check.most);
+    const got = amount(check.points);
+    const answer = check.answer ?? (got !== null && most !== null ? (got >= most ? "holds" : "violated") : "");
+    return make("li", {},
+      make("p", {}, make("b", {}, ...prose(check.title || check.id)), check.hidden ? " (hidden)" : ""),
+      make("p", { class: "soft" },
+        make("span", { class: `answer-${answer}`, text: answer }),
+        got === null ? "" : ` ${Math.round(got * 1000) / 1000}${most === null ? "" : ` of ${Math.round(most * 1000) / 1000}`}`),
+      ...(check.sentence ? [make("p", {}, ...prose(check.sentence))] : []));
+  }))];
+}

@@ -1,0 +1,142 @@
+// The rubric: items with points, given and taken by one key, changed for all at once.
+
+import { button, make, onSubmit } from "../../live/dom.js";
+import { ask } from "../ask.js";
+import { after, amount, counted, exact, identifier, mark, points, typed } from "../words.js";
+import { gives, guess } from "./giving.js";
+
+/** @typedef {import("../desk.js").Desk} Desk */
+/** @typedef {import("../types.js").Item} Item */
+
+const KEYS = "1234567890";
+const LISTED = 40; // students in a preview
+
+/** The items, and the form of a new or changed one. */
+export class Rubric {
+  /** @param {Desk} desk */
+  constructor(desk) {
+    this.desk = desk;
+    this.list = make("ul", { class: "items" });
+    this.about = make("p", { class: "soft about" });
+    /** The item that is changed; null: a new one. @type {Item | null} */
+    this.changed = null;
+    this.title = make("input", { "aria-label": "Title of the item", placeholder: "New item, such as: grip not checked", maxlength: 300, id: "item-title" });
+    this.points = make("input", { "aria-label": "Points: negative takes off", placeholder: "−0.5", inputmode: "text", maxlength: 8, class: "short" });
+    this.save = make("button", { text: "Add and give" });
+    this.cancel = button("Cancel", () => this.edit(null), { hidden: true });
+    this.withdraw = button("Withdraw", () => void this.write(true), { hidden: true, title: "Nobody has it any more" });
+    this.form = make("form", { class: "item-form" }, this.title, make("div", { class: "row" }, this.points, this.save, this.withdraw, this.cancel));
+    onSubmit(this.form, () => void this.write(false));
+    this.panel = make("div", {}, this.list, this.about, this.form);
+    desk.on(["class", "chosen", "detail"], () => this.fill());
+    desk.on(["moment"], () => this.where());
+  }
+
+  fill() {
+    const row = this.desk.row;
+    const had = this.list.contains(document.activeElement) ? document.activeElement?.getAttribute("data-key") : null;
+    this.list.replaceChildren(...this.desk.items.map((item, k) => {
+      const has = row?.items.includes(item.id) ?? false;
+      const give = button("", () => this.toggle(item), { class: "give", "aria-pressed": String(has), "data-key": `give ${item.id}`, disabled: !row });
+      give.append(
+        make("kbd", { text: KEYS[k] ?? "", "aria-hidden": "true" }),
+        make("span", { class: "item-title", text: item.title }),
+        make("span", { class: "points", text: points(item.points) }));
+      return make("li", {}, give, make("span", { class: "soft count", text: String(item.students.length), title: `${counted(item.students.length, "student")} have it` }),
+        button("Edit", () => this.edit(item), { class: "jump", "data-key": `edit ${item.id}`, "aria-label": `Change for all: ${item.title}` }));
+    }));
+    if (had) [...this.list.querySelectorAll("button")].find((one) => one.dataset.key === had)?.focus({ preventScroll: true });
+    this.where();
+  }
+
+  /** Say where a given item would stand. */
+  where() {
+    const { line } = this.desk;
+    const text = !this.desk.items.length ? "No items yet: write the first one below."
+      : line ? `What you give now stands at line ${line}.` : "Keys 1 to 9 and 0 give an item, or take it.";
+    if (this.about.textContent !== text) this.about.textContent = text;
+  }
+
+  /** Give or take the item of a key. @param {string} key */
+  press(key) {
+    const item = this.desk.items[KEYS.indexOf(key)];
+    if (item) this.toggle(item);
+  }
+
+  /** @param {Item} item */
+  toggle(item) {
+    const { row } = this.desk;
+    if (!row) return;
+    if (row.items.includes(item.id)) void this.take(item);
+    else void this.desk.act(gives(item, [row.id], { line: this.desk.line }), `Gave “${item.title}” to ${row.name}`, [guess(row, item, true)]);
+  }
+
+  /** Take an item away: whoever gave it. @param {Item} item */
+  async take(item) {
+    const { row, detail } = this.desk;
+    if (!row) return;
+    if (detail?.row.id !== row.id || !detail.given.some((one) => one.item === item.id)) {
+      await this.desk.queue; // it was given a moment ago: the record has its name only now
+      await this.desk.fetchDetail();
+    }
+    const given = this.desk.detail?.row.id === row.id ? this.desk.detail.given.filter((one) => one.item === item.id) : [];
+    if (!given.length) return;
+    const many = Math.max(...given.map((one) => one.students ?? 1));
+    if (many > 1 && !(await ask("Take it from all of them?", [make("p", { text: `“${item.title}” was given to ${counted(many, "student")} at once. It is taken from all of them.` })], "Take"))) return;
+    void this.desk.act([{ does: "undo", records: given.map((one) => one.record) }], `Took “${item.title}” from ${many > 1 ? counted(many, "student") : row.name}`, [guess(row, item, false)]);
+  }
+
+  /** Fill the form with an item, or with a new one. @param {Item | null} item */
+  edit(item) {
+    this.changed = item;
+    this.title.value = item?.title ?? "";
+    this.points.value = item ? points(item.points).replace("±", "") : "";
+    this.save.textContent = item ? "Change for all" : "Add and give";
+    this.cancel.hidden = this.withdraw.hidden = !item;
+    if (item) this.title.focus();
+  }
+
+  /** @param {boolean} withdrawn */
+  async write(withdrawn) {
+    const [title, value, item] = [this.title.value.trim(), typed(this.points.value), this.changed];
+    if (!title) return this.missing(this.title, "Say what the item is about.");
+    if (value === null) return this.missing(this.points, "Points are a number, such as −0.5 or 1.");
+    const { row } = this.desk;
+    const taken = new Set((this.desk.data?.items ?? []).map((one) => one.id));
+    /** @type {import("../types.js").Said} */
+    const said = { does: "item", id: item?.id ?? identifier(title, taken), title, points: exact(value) };
+    if (item) {
+      said.after = [item.version];
+      if (withdrawn) said.withdrawn = true;
+      const by = withdrawn ? -(amount(item.points) ?? 0) : value - (amount(item.points) ?? 0);
+      const having = item.students.flatMap((id) => this.desk.rows.get(id) ?? []);
+      const body = [preview(having, by)];
+      if (!(await ask(`Changes ${counted(item.students.length, "student")}`, body, withdrawn ? "Withdraw" : "Change for all"))) return;
+    }
+    /** @type {import("../types.js").Item} */
+    const made = { id: said.id, title, points: value, version: "", students: [], withdrawn: false };
+    const records = !item && row ? [said, ...gives(made, [row.id], { line: this.desk.line })] : [said];
+    const words = item ? `${withdrawn ? "Withdrew" : "Changed"} “${title}” for ${counted(item.students.length, "student")}` : `Added “${title}”${row ? ` and gave it to ${row.name}` : ""}`;
+    if (await this.desk.act(records, words)) this.edit(null);
+  }
+
+  /** @param {HTMLInputElement} input @param {string} words */
+  missing(input, words) {
+    input.setCustomValidity(words);
+    input.reportValidity();
+    input.addEventListener("input", () => input.setCustomValidity(""), { once: true });
+  }
+}
+
+/** Return whose marks change, and to what. @param {import("../types.js").Row[]} rows @param {number} by */
+export function preview(rows, by) {
+  if (!rows.length) return make("p", { text: "Nobody has it: no mark changes." });
+  const box = make("div", {});
+  box.append(make("p", { class: "soft", text: by ? `Each mark changes by ${points(by)}, within what is possible; the server computes it.` : "No mark changes." }));
+  box.append(make("table", { class: "preview" },
+    make("thead", {}, make("tr", {}, make("th", { scope: "col", text: "Student" }), make("th", { scope: "col", class: "number", text: "Now" }), make("th", { scope: "col", class: "number", text: "Then" }))),
+    make("tbody", {}, ...rows.slice(0, LISTED).map((row) => make("tr", {},
+      make("th", { scope: "row", text: row.name }), make("td", { class: "number", text: mark(row.final) }), make("td", { class: "number", text: mark(after(row.final, by, row.total)) }))))));
+  if (rows.length > LISTED) box.append(make("p", { class: "soft", text: `and ${rows.length - LISTED} more` }));
+  return box;
+}
