@@ -2,7 +2,7 @@
 
 import { button, byId, choice, make, write } from "../live/dom.js";
 import { counts, FLAGS, isOpen } from "./filters.js";
-import { amount, counted, mark, points } from "./words.js";
+import { amount, counted, lost, mark } from "./words.js";
 
 /** @typedef {import("./types.js").Row} Row */
 /** @typedef {import("./desk.js").Desk} Desk */
@@ -86,7 +86,7 @@ export class WorkList {
     const { flags, reasons } = counts(desk.rows.values(), desk.me);
     for (const [flag, one] of this.flags ?? []) write(/** @type {Element} */ (one.lastElementChild), String(flags[flag] ?? 0));
     options(this.reasons, "Any reason", [...reasons].map(([reason, count]) => [reason, `${reason} (${count})`]));
-    options(this.causes, "Any cause", (desk.data?.causes ?? []).map((cause) => [cause.key, `${points(cause.points)} ${short(cause.sentence)} (${cause.count})`]));
+    options(this.causes, "Any cause", (desk.data?.causes ?? []).map((cause) => [cause.key, `${lost(cause.points)} ${short(cause.sentence)} (${cause.count})`]));
     if (this.count) write(this.count, `${this.listed.length.toLocaleString("en")} of ${counted(desk.rows.size, "program")}`);
     this.none.hidden = this.listed.length > 0;
     this.floor.style.height = `${this.listed.length * HEIGHT}px`;

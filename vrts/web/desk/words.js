@@ -42,6 +42,12 @@ export function points(value) {
   return number < 0 ? `−${size}` : number > 0 ? `+${size}` : "±0";
 }
 
+/** Return points that were lost, whichever sign they came with. @param {number | string | null | undefined} value */
+export function lost(value) {
+  const number = amount(value);
+  return number === null ? "" : points(-Math.abs(number));
+}
+
 /** Return "1 student", "12 students". @param {number} count @param {string} one @param {string} many */
 export function counted(count, one, many = `${one}s`) {
   return `${count.toLocaleString("en")} ${count === 1 ? one : many}`;

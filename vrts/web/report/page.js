@@ -7,6 +7,7 @@ import { Viewer } from "../viewer/viewer.js";
 import { Charts } from "./charts.js";
 import { charts, sampleTimes, speed, toolPath } from "./curves.js";
 import { EventList } from "./events.js";
+import { obeyDesk } from "./in_desk.js";
 import { Lanes, lanesOf } from "./lanes.js";
 import { drawSnapshots } from "./snapshots.js";
 import { voiceLanes } from "./voices.js";
@@ -30,6 +31,7 @@ const plots = new Charts(byId("chart-list"), times, charts(replay, times, path, 
 const lanes = new Lanes(byId("lanes"), [...lanesOf(replay, data), ...voiceLanes(data.voices)], replay.end, (t) => jump(t));
 /** @type {Record<string, HTMLElement | null>} */
 const lit = { lit: null, "lit-process": null };
+const tellDesk = obeyDesk({ show: jump, showLine: jumpToLine, end: replay.end });
 
 slider.max = String(replay.end);
 viewer?.setTrace(path, (i) => data.contacts.some((/** @type {Contact} */ c) => c.start <= times[i] && times[i] <= c.end));
@@ -103,6 +105,7 @@ function show(/** @type {number} */ t) {
   lanes.show(t);
   events.show(t);
   plots.show(t);
+  tellDesk(t, replay.line(t));
   showPlaying(player);
 }
 

@@ -1,7 +1,7 @@
 // All who lost the same by the same cause: one decision for all of them, with a look at what it changes.
 
 import { button, byId, choice, make, onSubmit, prose, write } from "../../live/dom.js";
-import { amount, counted, exact, identifier, mark, points, typed } from "../words.js";
+import { amount, counted, exact, identifier, lost, mark, points, typed } from "../words.js";
 import { ask } from "../ask.js";
 import { gives, guess } from "../work/giving.js";
 import { preview } from "../work/rubric.js";
@@ -70,7 +70,7 @@ export class Causes {
     const had = this.list.contains(document.activeElement);
     this.list.replaceChildren(...(this.desk.data?.causes ?? []).map((one) => {
       const open = button("", () => this.choose(one.key), one === cause ? { class: "cause", "aria-current": "true" } : { class: "cause" });
-      open.append(make("b", { class: "points", text: points(one.points) }), make("span", {}, ...prose(one.sentence)), make("span", { class: "soft count", text: String(one.count) }));
+      open.append(make("b", { class: "points", text: lost(one.points) }), make("span", {}, ...prose(one.sentence)), make("span", { class: "soft count", text: String(one.count) }));
       return make("li", {}, open);
     }));
     if (had) /** @type {HTMLElement | null} */ (this.list.querySelector("[aria-current]"))?.focus({ preventScroll: true });
@@ -79,7 +79,7 @@ export class Causes {
       write(this.title, "Nobody lost anything");
       return;
     }
-    this.title.replaceChildren(`All who lost ${points(cause.points).replace("−", "")}: `, ...prose(cause.sentence));
+    this.title.replaceChildren(`All who lost ${lost(cause.points).replace("−", "")}: `, ...prose(cause.sentence));
     const kept = this.what.value;
     this.what.replaceChildren(
       ...this.desk.items.map((item) => make("option", { value: item.id, text: `${item.title} (${points(item.points)})` })),

@@ -2,7 +2,7 @@
 
 import { get } from "../api.js";
 import { button, byId, make, prose } from "../../live/dom.js";
-import { counted, mark, points } from "../words.js";
+import { counted, lost, mark } from "../words.js";
 import { histogram, progress, table } from "./charts.js";
 
 /** @typedef {import("../desk.js").Desk} Desk */
@@ -66,7 +66,7 @@ export class StatisticsView {
   causes(data) {
     if (!data.causes.length) return make("p", { class: "soft", text: "Nobody lost anything." });
     return table("What was lost most often", ["Cause", "#Points", "#Students"], data.causes.map((cause) => [
-      button(cause.sentence.replaceAll("`", ""), () => this.bulk(cause.key), { class: "as-link" }), points(cause.points), String(cause.count)]));
+      button(cause.sentence.replaceAll("`", ""), () => this.bulk(cause.key), { class: "as-link" }), lost(cause.points), String(cause.count)]));
   }
 
   /** @param {Data} data */

@@ -39,8 +39,8 @@ export class Comments {
     this.save = make("button", { class: "main", text: "Comment", title: "Comment (Ctrl+Enter)" });
     const form = make("form", { class: "write" },
       this.text,
+      make("div", { class: "where", role: "radiogroup", "aria-label": "The comment is about" }, this.all.label, this.time.label, this.line.label),
       make("div", { class: "row" },
-        make("div", { class: "where", role: "radiogroup", "aria-label": "The comment is about" }, this.all.label, this.time.label, this.line.label),
         make("label", { class: "check", title: "Only those who mark see it" }, this.private, "private"),
         make("span", { class: "fill" }), this.save));
     form.addEventListener("submit", (event) => {

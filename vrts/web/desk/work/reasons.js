@@ -1,7 +1,7 @@
 // Why the mark is what it is: what was lost and when, the checks, the steps, and what graders did.
 
 import { button, byId, make, prose } from "../../live/dom.js";
-import { amount, mark, moment, points, when } from "../words.js";
+import { amount, lost, mark, moment, points, when } from "../words.js";
 import { tabs } from "./tabs.js";
 
 /** @typedef {import("../desk.js").Desk} Desk */
@@ -62,7 +62,7 @@ export class Reasons {
     }, { class: "jump" }));
     const cause = this.desk.data?.causes.find((one) => one.key === loss.cause);
     if (cause && cause.count > 1) where.append(button(`all ${cause.count} who lost this`, () => this.bulk(cause.key), { class: "jump" }));
-    return make("li", {}, make("b", { class: "points", text: points(loss.points) }),
+    return make("li", {}, make("b", { class: "points", text: lost(loss.points) }),
       make("div", {}, make("p", {}, ...prose(loss.sentence)), ...(loss.hint ? [make("p", { class: "soft" }, ...prose(loss.hint))] : []), where));
   }
 

@@ -1,7 +1,7 @@
 // The program: its lines, which of them runs, where points were lost, and what was said of it.
 
 import { byId, make } from "../../live/dom.js";
-import { points } from "../words.js";
+import { lost } from "../words.js";
 import { spoken } from "./comments.js";
 
 /** @typedef {import("../desk.js").Desk} Desk */
@@ -48,7 +48,7 @@ export class Source {
       const line = loss.line ? this.lines[loss.line - 1] : null;
       if (!line) continue;
       line.classList.add("lost");
-      line.append(make("button", { type: "button", class: "loss", "data-t": loss.time_s ?? "", tabindex: -1, title: loss.sentence.replaceAll("`", ""), text: points(loss.points) }));
+      line.append(make("button", { type: "button", class: "loss", "data-t": loss.time_s ?? "", tabindex: -1, title: loss.sentence.replaceAll("`", ""), text: lost(loss.points) }));
     }
     for (const comment of detail.comments) {
       const line = comment.line ? this.lines[comment.line - 1] : null;
