@@ -97,11 +97,16 @@ function showTop() {
     write(byId("title"), data.title);
     document.title = `${data.title} · marker's desk`;
     write(byId("me"), data.me.name || data.me.id);
+    const problems = data.problems ?? [];
+    if (problems.length && problems.join() !== showTop.told) desk.notes.problem("Some files of this marking cannot be read:", problems);
+    showTop.told = problems.join();
   }
   const state = byId("link-state");
   write(state, online ? "" : "no answer from the desk");
   state.className = online ? "chip" : "chip ended";
 }
+
+showTop.told = "";
 
 function showMarking() {
   const place = byId("marking");

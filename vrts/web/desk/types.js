@@ -6,7 +6,7 @@
 
 /**
  * @typedef {{id: string, name: string, final: number | null, computed: number | null, total: number, kind: string, unsafe: Doubt[], ready: boolean | null,
- *   cause: string | null, line: number | null, time_s: number | null, causes: string[], late: boolean | string | null, deduction: number | null, due: string | null,
+ *   cause: string | null, line: number | null, time_s: number | null, causes: string[], late: string, deduction: number, due: string | null,
  *   likeness: Likeness | null, assigned: string[], finished: Finished[], comments: number, items: string[], change: string | number | null,
  *   excused: boolean | string | null, conflict: boolean | string | null, report: boolean, order: number, why_next: string, pending?: boolean}} Row
  */
@@ -20,11 +20,12 @@
 
 /**
  * @typedef {{title: string, total: number, revision: string, me: Grader, graders: Grader[], rows: Row[], items: Item[], causes: Cause[],
- *   conflicts: Conflict[], marking: Marking, retrieved?: string}} ClassData
+ *   conflicts: Conflict[], marking: Marking, retrieved?: string, problems?: string[]}} ClassData
  */
 
 /** @typedef {{points: number | string, kind: string, sentence: string, hint: string | null, line: number | null, time_s: number | null, cause?: string}} Loss */
-/** @typedef {{id: string, title: string, points?: number | string, most?: number | string, answer?: string, sentence?: string | null, hidden?: boolean}} Check */
+/** @typedef {{id: string, title: string, kind: string, points: number, most: number, answer: string, message: string, hidden: boolean}} Check */
+/** @typedef {{code: string, slug: string, severity: string, headline: string, line: number | null, time_s: number | null, help: string[]}} Finding */
 /** @typedef {{points: number | string | null, title: string, sentence: string | null}} Step */
 /** @typedef {{record: string, who: string, name: string, at: string, line: number | null, time_s: number | null, text: string, private: boolean, stale: boolean, mine: boolean}} Comment */
 /** @typedef {{record: string, item: string, who: string, at: string, line: number | null, time_s: number | null, students?: number}} Given */
@@ -33,7 +34,7 @@
 /** @typedef {{at: string | null, mark: number | null, file: string | null}} Attempt */
 
 /**
- * @typedef {{row: Row, source: {name: string, lines: string[]} | null, losses: Loss[], checks: Check[], findings: any[], steps: Step[], comments: Comment[],
+ * @typedef {{row: Row, source: {name: string, lines: string[]} | null, source_problem: string | null, losses: Loss[], checks: Check[], findings: Finding[], steps: Step[], comments: Comment[],
  *   given: Given[], changes: Change[], history: Past[], report: string | null, sent: string | null, attempts: Attempt[]}} Detail
  */
 
@@ -50,4 +51,4 @@
 
 /** A record as the page sends it. @typedef {{does: string} & Record<string, any>} Said */
 
-export const NOTHING = null;
+export {};

@@ -80,11 +80,11 @@ export class Causes {
       return;
     }
     this.title.replaceChildren(`All who lost ${lost(cause.points).replace("−", "")}: `, ...prose(cause.sentence));
-    const kept = this.what.value;
+    const kept = this.what.options.length ? this.what.value : null;
     this.what.replaceChildren(
       ...this.desk.items.map((item) => make("option", { value: item.id, text: `${item.title} (${points(item.points)})` })),
       make("option", { value: NEW, text: "a new item" }), make("option", { value: "", text: "a comment only" }));
-    if ([...this.what.options].some((one) => one.value === kept)) this.what.value = kept;
+    if (kept !== null && [...this.what.options].some((one) => one.value === kept)) this.what.value = kept;
     this.fields();
     this.rows();
   }

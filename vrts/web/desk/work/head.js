@@ -43,7 +43,7 @@ export class Head {
     write(this.finish, mine && !mine.stale ? "Finished ✓" : "Finish");
     link(this.report, detail?.report);
     link(this.sent, detail?.sent);
-    this.chips.replaceChildren(...this.tags(row), ...(detail ? [] : []));
+    this.chips.replaceChildren(...this.tags(row));
     byId("heard").textContent = `${row.name}, ${row.excused ? "excused" : `${mark(row.final)} of ${row.total ?? total}`}${row.unsafe.length ? ", unsafe" : ""}`;
   }
 
@@ -54,7 +54,8 @@ export class Head {
     const tags = [];
     if (row.conflict) tags.push(button("Conflict", () => desk.show("conflicts"), { class: "tag bad" }));
     for (const doubt of row.unsafe) if (doubt.reason !== "conflict") tags.push(tag(doubt.reason, "review", doubt.sentence));
-    if (row.late) tags.push(tag(row.deduction ? `late, −${row.deduction}` : "late", "", row.due ? `due ${when(row.due)}` : ""));
+    if (row.late) tags.push(tag(row.deduction ? `late, −${row.deduction}` : "late", "", row.late));
+    if (row.due) tags.push(tag(`due ${when(row.due)}`, "", "A later deadline"));
     if (row.likeness) {
       const others = row.likeness.with.map((id) => desk.rows.get(id)?.name ?? id).join(", ");
       tags.push(make("a", { class: "tag", target: "_blank", rel: "noopener", href: "/files/staff/similarity.html", title: `Like ${others}`, text: "alike" }));

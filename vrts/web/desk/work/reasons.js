@@ -1,7 +1,7 @@
 // Why the mark is what it is: what was lost and when, the checks, the steps, and what graders did.
 
-import { button, byId, make, prose } from "../../live/dom.js";
-import { amount, lost, mark, moment, points, when } from "../words.js";
+import { button, byId, figure, make, prose } from "../../live/dom.js";
+import { lost, mark, moment, points, when } from "../words.js";
 import { tabs } from "./tabs.js";
 
 /** @typedef {import("../desk.js").Desk} Desk */
@@ -31,7 +31,7 @@ export class Reasons {
     }
     if (!detail) return;
     this.lost.append(...this.doubts(detail), ...this.losses(detail), ...steps(detail), ...attempts(detail));
-    this.checks.append(...checks(detail));
+    this.checks.append(...checks(detail), ...findings(detail, (line, time_s) => this.jump(line, time_s)));
     this.history.append(...this.past(detail));
   }
 
@@ -54,16 +54,19 @@ export class Reasons {
     const time = loss.time_s;
     const line = loss.line;
     if (time !== null && time !== undefined) where.append(button(`at ${moment(time)}`, () => this.replay.show(time), { class: "jump" }));
-    if (line) where.append(button(`line ${line}`, () => {
-      this.source.reveal(line);
-      this.desk.pick(line);
-      if (time === null || time === undefined) this.replay.showLine(line);
-      else this.replay.show(time);
-    }, { class: "jump" }));
+    if (line) where.append(button(`line ${line}`, () => this.jump(line, time), { class: "jump" }));
     const cause = this.desk.data?.causes.find((one) => one.key === loss.cause);
     if (cause && cause.count > 1) where.append(button(`all ${cause.count} who lost this`, () => this.bulk(cause.key), { class: "jump" }));
     return make("li", {}, make("b", { class: "points", text: lost(loss.points) }),
       make("div", {}, make("p", {}, ...prose(loss.sentence)), ...(loss.hint ? [make("p", { class: "soft" }, ...prose(loss.hint))] : []), where));
+  }
+
+  /** Show a line, and the moment when it mattered. @param {number} line @param {number | null | undefined} time_s */
+  jump(line, time_s) {
+    this.source.reveal(line);
+    this.desk.pick(line);
+    if (time_s === null || time_s === undefined) this.replay.showLine(line);
+    else this.replay.show(time_s);
   }
 
   /** @param {import("../types.js").Detail} detail */
@@ -100,15 +103,24 @@ function attempts(detail) {
 /** @param {import("../types.js").Detail} detail */
 function checks(detail) {
   if (!detail.checks.length) return [make("p", { class: "soft", text: "No check was made." })];
-  return [make("ul", { class: "checks" }, ...detail.checks.map((check) => {
-    const most = amount(check.most);
-    const got = amount(check.points);
-    const answer = check.answer ?? (got !== null && most !== null ? (got >= most ? "holds" : "violated") : "");
-    return make("li", {},
-      make("p", {}, make("b", {}, ...prose(check.title || check.id)), check.hidden ? " (hidden)" : ""),
-      make("p", { class: "soft" },
-        make("span", { class: `answer-${answer}`, text: answer }),
-        got === null ? "" : ` ${Math.round(got * 1000) / 1000}${most === null ? "" : ` of ${Math.round(most * 1000) / 1000}`}`),
-      ...(check.sentence ? [make("p", {}, ...prose(check.sentence))] : []));
-  }))];
+  return [make("ul", { class: "checks" }, ...detail.checks.map((check) => make("li", {},
+    make("p", {}, make("b", {}, ...prose(check.title || check.id)), check.hidden ? " (hidden)" : ""),
+    make("p", { class: "soft" },
+      make("span", { class: `answer-${check.answer.replace(" ", "-")}`, text: check.answer }),
+      ` ${rounded(check.points)}${check.most ? ` of ${rounded(check.most)}` : ""}`),
+    ...(check.message ? [make("p", {}, ...prose(check.message))] : []))))];
+}
+
+/** @param {number} value */
+function rounded(value) {
+  return figure(Math.round(value * 1000) / 1000, 3).replace(/\.?0+$/, "");
+}
+
+/** What compiler and run said, each with its line. @param {import("../types.js").Detail} detail @param {(line: number, time_s: number | null) => void} jump */
+function findings(detail, jump) {
+  if (!detail.findings.length) return [];
+  return [make("h3", { text: "Findings" }), make("ul", { class: "checks" }, ...detail.findings.map((one) => make("li", {},
+    make("p", {}, make("b", { class: `said-${one.severity}`, text: one.severity }), " ", ...prose(one.headline)),
+    make("p", { class: "jumps" }, make("span", { class: "soft", text: one.code }),
+      ...(one.line ? [button(`line ${one.line}`, () => jump(one.line ?? 1, one.time_s), { class: "jump" })] : [])))))];
 }

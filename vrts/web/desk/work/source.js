@@ -40,7 +40,7 @@ export class Source {
     this.clear();
     this.of = this.desk.chosen;
     if (!detail?.source) {
-      if (detail) this.list.append(make("li", { class: "soft nothing", text: "There is no program to show." }));
+      if (detail) this.list.append(make("li", { class: "soft nothing", text: detail.source_problem || "There is no program to show." }));
       return;
     }
     this.lines = detail.source.lines.slice(0, MOST).map((text, k) => row(text, k + 1));
