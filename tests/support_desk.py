@@ -154,7 +154,7 @@ def write_decisions(layout: Layout, names: Sequence[str]) -> None:
 
 def write_grader(layout: Layout, who: str, name: str, said: Sequence[records.Decision]) -> Path:
     """Write the file of one grader."""
-    lines = [records.Beginning(records.SCHEMA, name), *said]
+    lines = [records.Beginning(records.SCHEMA, who, name), *said]
     place = layout.staff / "decisions" / f"{who}.jsonl"
     write_atomically(place, b"".join(msgspec.json.encode(line) + b"\n" for line in lines))
     return place

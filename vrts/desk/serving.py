@@ -9,18 +9,20 @@ from typing import Final
 
 import uvicorn
 
-from vrts.base.safe_names import safe
+from vrts.desk.again.marking import Marking
 from vrts.desk.desk import Desk
-from vrts.desk.front.app import application
+from vrts.desk.front.app import Way, application
 from vrts.desk.front.events import Events
 from vrts.desk.told import GraderTold
+from vrts.desk.upkeep import Upkeep
 from vrts.live.callers.patient import PatientProtocol
 from vrts.live.callers.pieces import InPieces
 from vrts.live.tokens import new_token
+from vrts.marking.by_hand.decisions.files import grader_in
+from vrts.marking.layout import Layout
 from vrts.pipeline.files import CannotRead
 
 HOST: Final = "127.0.0.1"  # nobody else's machine can reach it
-DECISIONS: Final = "decisions"
 
 
 def serve_desk(
@@ -43,13 +45,14 @@ def serve_desk(
         CannotRead: There is no such folder, a file of it cannot be read, or the port is taken.
         Refused: It is no marking, something in it has errors, or `who` is no name.
     """
-    grader = GraderTold(safe(who).lower()[:40], who)
-    desk = Desk(folder, grader)
+    grader = grader_in(Layout(folder).decisions, who)
+    desk = Desk(folder, GraderTold(grader.id, grader.name))
     shown = desk.now()
     with _listener(port) as listener:
         real = int(listener.getsockname()[1])
         token, events = new_token(), Events()
-        app = application(desk, token, real, events)
+        marking, upkeep = Marking(folder), Upkeep(lambda: None)
+        app = application(desk, marking, upkeep, Way(token, real), events)
         address = f"http://{HOST}:{real}/"
         say(f"the desk of {grader.name} for {shown.book.rows.title}: {address}?token={token}")
         say("only this machine can reach it; Ctrl-C ends it")

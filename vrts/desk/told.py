@@ -235,3 +235,13 @@ class OneRow(Struct, frozen=True):
     report: str | None
     sent: str | None
     attempts: tuple[Attempt, ...]
+
+
+class AddedTold(Struct, frozen=True):
+    """What became of decisions that were added."""
+
+    revision: str
+    added: tuple[str, ...]  # names of the records
+    rows: tuple[RowTold, ...]  # of which more has changed than their place
+    items: tuple[ItemTold, ...]
+    conflicts: tuple[ConflictTold, ...]

@@ -52,6 +52,7 @@ class HowTo(NamedTuple):
     roster: Path | None = None  # the class, as Moodle or Canvas export it
     zone: tzinfo | None = None  # of times without one; None: that of the task's deadline
     pseudonyms: bool = False  # ids and files get other names; who is who stands in one table
+    only: frozenset[str] | None = None  # ids of the intake; None: everybody, and its table too
 
 
 USUAL = HowTo()
@@ -146,7 +147,9 @@ def mark_whole_class(
         written = write_rows(found, download=name_of(submissions))
     else:
         written = names_table(named, key)
-    if layout is not None and key is not None:
+    if how.only is not None:
+        pass  # the table of the others stays
+    elif layout is not None and key is not None:
         write_names(layout, written)
     elif layout is not None and table != layout.intake:
         write_atomically(layout.intake, written)
@@ -195,6 +198,8 @@ def take_in_class(
     roster = how.roster and read_roster(read_bytes(how.roster), how.roster.name, zone)
     intake = take_in_tree(tree, program=task.program, zone=zone, roster=roster)
     found, warnings = _as_edited(tree, intake, table)
+    if how.only is not None:
+        found = tuple(row for row in found if row.identifier in how.only)
     found, about_exam = counted(found, task.late)
     if task.keep is Keep.BEST:
         found = with_best_attempts(tree, found, task.late, mark)

@@ -3,9 +3,11 @@
 from collections.abc import Mapping
 from functools import cached_property
 
+from msgspec.structs import replace
+
 from vrts.desk.book.decided import Decided
 from vrts.desk.book.opened import Opened
-from vrts.desk.told import Likeness
+from vrts.desk.told import Attempt, Likeness
 from vrts.marking.row import Class, Row
 
 
@@ -18,6 +20,7 @@ class Book:
         rows: Class,
         decided: Decided,
         likeness: Mapping[str, Likeness],
+        attempts: Mapping[str, tuple[Attempt, ...]],
         problems: tuple[str, ...] = (),
     ) -> None:
         """Take what was read.
@@ -27,15 +30,28 @@ class Book:
             rows: The class with all decisions.
             decided: What graders decided.
             likeness: By id.
+            attempts: By id, of those who handed in several times.
             problems: What could not be read, in sentences.
         """
         self.opened = opened
         self.rows = rows
         self.decided = decided
         self.likeness = likeness
+        self.attempts = attempts
         self.problems = problems
 
     @cached_property
     def by_id(self) -> Mapping[str, Row]:
         """The rows of the class, by id."""
         return {row.id: row for row in self.rows.rows}
+
+    def attempts_of(self, row: Row) -> tuple[Attempt, ...]:
+        """Return what a student handed in, with the mark where it was marked."""
+        file = row.handed_in.file
+        if not file:
+            return ()
+        one = (Attempt(row.handed_in.received, None, file),)
+        return tuple(
+            replace(told, mark=row.result.mark) if told.file == file else told
+            for told in self.attempts.get(row.id, one)
+        )

@@ -1,10 +1,11 @@
 """What graders have decided, by student: as the page shows it."""
 
+from collections import defaultdict
 from collections.abc import Mapping
+from fractions import Fraction
 from types import MappingProxyType
 from typing import NamedTuple
 
-from vrts.desk.book.opened import Opened
 from vrts.desk.told import (
     ChangeTold,
     CommentTold,
@@ -14,8 +15,23 @@ from vrts.desk.told import (
     HistoryTold,
     ItemTold,
     Looked,
+    Side,
 )
-from vrts.marking.row import Class
+from vrts.marking.by_hand.decisions.counting import counted
+from vrts.marking.by_hand.decisions.items import ItemNow
+from vrts.marking.by_hand.decisions.ledger import Filed, Ledger
+from vrts.marking.by_hand.decisions.records import (
+    ChangeMark,
+    Comment,
+    Decide,
+    Excuse,
+    Extend,
+    Finish,
+    Give,
+)
+from vrts.marking.by_hand.decisions.state import Conflict, OfStudent, State, students_of
+from vrts.marking.by_hand.decisions.words import sentence_of
+from vrts.marking.exports.numbers import number
 
 
 class Mine(NamedTuple):
@@ -48,11 +64,114 @@ class Decided(NamedTuple):
 NOTHING = Mine()
 
 
-def decide(opened: Opened) -> tuple[Class, Decided, tuple[str, ...]]:
-    """Return a class with all decisions, what they are, and what could not be read.
+def told_of(ledger: Ledger, state: State, programs: Mapping[str, str], me: str) -> Decided:
+    """Return what graders decided as the page shows it.
 
-    Raises:
-        CannotRead: A file cannot be read.
-        Refused: A file has errors.
+    Args:
+        ledger: All records.
+        state: What they come to.
+        programs: By id of the class, sha256 of the program that is marked now, or `none`.
+        me: Id of whoever looks.
     """
-    return opened.rows, Decided(), ()
+    undone = counted(ledger.records).undone
+    history: dict[str, list[HistoryTold]] = defaultdict(list)
+    whose: dict[str, tuple[str, ...]] = {}
+    for one in ledger.records:
+        students = tuple(dict.fromkeys(students_of(one.said)))
+        if isinstance(one.said, Decide):
+            named = (one.said.keep, *one.said.over)
+            students = tuple(dict.fromkeys(who for name in named for who in whose.get(name, ())))
+        whose[one.name] = students
+        told = _history(one, undone.get(one.name))
+        for student in students:
+            history[student].append(told)
+    return Decided(
+        {
+            student: _mine(state.of(student), tuple(history[student]), program, me)
+            for student, program in programs.items()
+            if student in history or student in state.students
+        },
+        _items(state),
+        tuple(_conflict(one) for one in state.conflicts),
+        tuple(GraderTold(grader.id, grader.name) for grader in ledger.graders),
+    )
+
+
+def _mine(found: OfStudent, history: tuple[HistoryTold, ...], program: str, me: str) -> Mine:
+    due = found.extension[0].said if found.extension else None
+    comments = (*found.comments, *found.lapsed)
+    return Mine(
+        tuple(_comment(one, program, me) for one in comments if isinstance(one.said, Comment)),
+        tuple(_given(one) for one in found.given if isinstance(one.said, Give)),
+        tuple(_change(one) for one in found.mark if isinstance(one.said, ChangeMark)),
+        tuple(sorted(history, key=lambda one: one.at)),
+        found.assigned,
+        tuple(_looked(one, program) for one in found.finished if isinstance(one.said, Finish)),
+        due.due if isinstance(due, Extend) else None,
+        any(isinstance(one.said, Excuse) for one in found.mark),
+        bool(found.conflicts),
+    )
+
+
+def _comment(one: Filed, program: str, me: str) -> CommentTold:
+    said = one.said
+    assert isinstance(said, Comment)
+    return CommentTold(
+        one.name,
+        one.grader,
+        one.who,
+        said.at,
+        said.line,
+        said.time_s,
+        said.text,
+        said.private,
+        bool(said.program) and said.program != program,
+        one.grader == me,
+    )
+
+
+def _given(one: Filed) -> GivenTold:
+    said = one.said
+    assert isinstance(said, Give)
+    return GivenTold(one.name, said.item, one.grader, said.at, said.line, said.time_s)
+
+
+def _change(one: Filed) -> ChangeTold:
+    said = one.said
+    assert isinstance(said, ChangeMark)
+    delta, mark = _points(said.delta), _points(said.mark)
+    return ChangeTold(one.name, one.grader, said.at, delta, mark, said.reason)
+
+
+def _looked(one: Filed, program: str) -> Looked:
+    said = one.said
+    assert isinstance(said, Finish)
+    stale = bool(said.program) and said.program != program
+    return Looked(one.grader, _points(said.mark), stale)
+
+
+def _history(one: Filed, undone_by: str | None) -> HistoryTold:
+    return HistoryTold(one.name, one.grader, one.who, one.said.at, sentence_of(one), undone_by)
+
+
+def _points(text: str | None) -> float | None:
+    return None if text is None else float(number(Fraction(text)))
+
+
+def _items(state: State) -> tuple[ItemTold, ...]:
+    given: dict[str, dict[str, None]] = defaultdict(dict)
+    for student, found in state.students.items():
+        for one in found.given:
+            if isinstance(one.said, Give):
+                given[one.said.item][student] = None
+    return tuple(_item(one, tuple(given[one.id])) for one in state.items.values())
+
+
+def _item(one: ItemNow, students: tuple[str, ...]) -> ItemTold:
+    points = float(number(one.points))
+    return ItemTold(one.id, one.title, points, one.version, students, one.withdrawn)
+
+
+def _conflict(one: Conflict) -> ConflictTold:
+    sides = (Side(side.name, side.who, side.said.at, sentence_of(side)) for side in one.sides)
+    return ConflictTold(one.id, one.about, one.student, one.sentence, tuple(sides))

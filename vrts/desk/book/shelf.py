@@ -6,8 +6,9 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Final
 
+from vrts.desk.book.attempts import read_attempts
 from vrts.desk.book.book import Book
-from vrts.desk.book.decided import decide
+from vrts.desk.book.deciding import decide
 from vrts.desk.book.likeness import LARGEST, read_likeness
 from vrts.desk.book.opened import Opened, open_marking
 from vrts.desk.told import Likeness
@@ -26,14 +27,15 @@ Sign = tuple[str, int, int, int]  # name, time [ns], size, number of the file
 class Shelf:
     """A folder of a marking, and the last that was read of it. Any thread may ask."""
 
-    def __init__(self, folder: Path) -> None:
-        """Take a folder, and read it.
+    def __init__(self, folder: Path, me: str) -> None:
+        """Take a folder, and read it as a grader of that id sees it.
 
         Raises:
             CannotRead: There is no such folder, or a file of it cannot be read.
             Refused: It is no marking, or something in it has errors.
         """
         self.folder = folder
+        self._me = me
         self._staff = folder / "staff"
         self._lock = threading.Lock()
         self._signs: tuple[tuple[Sign, ...], ...] = ()
@@ -41,8 +43,9 @@ class Shelf:
         self._said = ""
         self._signs = self._look()
         self._opened = open_marking(folder)
+        self._attempts = read_attempts(self._opened.layout)
         self._read_likeness()
-        self._book = self._decided(())
+        self._book = self._decided()
 
     def now(self) -> Book:
         """Return what the files say now.
@@ -57,20 +60,24 @@ class Shelf:
             try:
                 if signs[0] != before[0]:
                     self._opened = open_marking(self.folder)
+                    self._attempts = read_attempts(self._opened.layout)
                 if signs[1] != before[1]:
                     self._read_likeness()
-                self._book = self._decided(())
+                self._book = self._decided()
             except (CannotRead, Refused) as problem:
                 told = (sentence(problem),)
                 last = self._book
-                self._book = Book(last.opened, last.rows, last.decided, last.likeness, told)
+                self._book = Book(
+                    last.opened, last.rows, last.decided, last.likeness, last.attempts, told
+                )
             return self._book
 
-    def _decided(self, problems: tuple[str, ...]) -> Book:
+    def _decided(self) -> Book:
         opened: Opened = self._opened
-        rows, decided, told = decide(opened)
+        rows, decided, told = decide(opened, self._me)
         said = (self._said,) if self._said else ()
-        return Book(opened, rows, decided, self._likeness, (*problems, *told, *said))
+        problems = (*told, *said)
+        return Book(opened, rows, decided, self._likeness, self._attempts, problems)
 
     def _read_likeness(self) -> None:
         self._said, self._likeness = "", {}
@@ -86,7 +93,7 @@ class Shelf:
 
     def _look(self) -> tuple[tuple[Sign, ...], ...]:
         """Return what tells whether files have changed: of marking, likeness, decisions."""
-        marked = (self._staff / name for name in ("results.json", about.NAME))
+        marked = (self._staff / name for name in ("results.json", about.NAME, "intake.csv"))
         by_hand = (self._staff / "overrides.toml", *_in(self._staff / DECISIONS))
         return (
             tuple(_signs(marked)),

@@ -3,7 +3,7 @@
 import asyncio
 from collections.abc import AsyncGenerator
 from contextlib import asynccontextmanager
-from typing import Final
+from typing import Final, NamedTuple
 
 from starlette.applications import Starlette
 from starlette.requests import Request
@@ -11,14 +11,17 @@ from starlette.responses import Response
 from starlette.routing import Route
 from starlette.types import ASGIApp, Receive, Scope, Send
 
+from vrts.desk.again.marking import Marking
 from vrts.desk.desk import Desk
 from vrts.desk.front.answers import refusal
 from vrts.desk.front.class_pages import ClassPages
+from vrts.desk.front.deed_pages import DeedPages
 from vrts.desk.front.door import Door
 from vrts.desk.front.events import Events
 from vrts.desk.front.file_pages import FilePages
 from vrts.desk.front.policy import Policy
 from vrts.desk.programs import Programs
+from vrts.desk.upkeep import Upkeep
 from vrts.live.front.guard import Guard
 from vrts.live.front.origin import Names
 from vrts.live.front.static_files import StaticFiles
@@ -30,17 +33,26 @@ LOOK_S: Final = 0.4  # between looks whether another desk, or anybody, has chang
 REQUESTS: Final = (200.0, 1000.0)  # a second, and at once
 
 
-def application(desk: Desk, token: str, port: int, events: Events) -> ASGIApp:
+class Way(NamedTuple):
+    """How browsers come in."""
+
+    token: str  # that the address has
+    port: int
+
+
+def application(desk: Desk, marking: Marking, upkeep: Upkeep, door: Way, events: Events) -> ASGIApp:
     """Return the desk's application.
 
     Args:
         desk: Whose.
-        token: That lets a browser in.
-        port: Where it is asked.
+        marking: Marks again.
+        upkeep: Brings files up to date.
+        door: How browsers come in.
         events: Who listens to what happens.
     """
     files = StaticFiles(PAGE)
-    pages = ClassPages(desk, Programs())
+    pages = ClassPages(desk, Programs(), marking)
+    deeds = DeedPages(desk, marking, upkeep)
     reports = FilePages(desk)
 
     async def page(request: Request) -> Response:
@@ -51,9 +63,20 @@ def application(desk: Desk, token: str, port: int, events: Events) -> ASGIApp:
 
     @asynccontextmanager
     async def lifespan(_: Starlette) -> AsyncGenerator[None, None]:
+        loop = asyncio.get_running_loop()
+
+        def marks() -> None:
+            told = marking.told(desk.now().book.opened)
+            loop.call_soon_threadsafe(events.send, "marking", told)
+
+        marking.changed = marks
+        upkeep.begin()
         watching = asyncio.create_task(_watch(desk, events))
         yield
         watching.cancel()
+        marking.changed = lambda: None
+        await asyncio.to_thread(marking.end)
+        await asyncio.to_thread(upkeep.end)
         await asyncio.gather(watching, return_exceptions=True)
 
     app = Starlette(
@@ -63,6 +86,10 @@ def application(desk: Desk, token: str, port: int, events: Events) -> ASGIApp:
             Route("/web/{path:path}", asset),
             Route("/api/class", pages.whole),
             Route("/api/row/{student}", pages.row),
+            Route("/api/statistics", pages.statistics),
+            Route("/api/records", deeds.records, methods=["POST"]),
+            Route("/api/mark", deeds.mark, methods=["POST"]),
+            Route("/api/mark", deeds.cancel, methods=["DELETE"]),
             Route("/api/events", events.listen),
             Route("/files/staff/students/{student}/{name}", reports.staff_report),
             Route("/files/students/{student}/{name}", reports.sent_report),
@@ -70,7 +97,7 @@ def application(desk: Desk, token: str, port: int, events: Events) -> ASGIApp:
         ],
         exception_handlers={404: _no_such, 405: _no_such},
     )
-    limited = Limited(Door(app, token, port))
+    limited = Limited(Door(app, door.token, door.port))
     return Policy(Guard(limited, Names(()), secure=False))
 
 

@@ -6,19 +6,22 @@ import msgspec
 from starlette.requests import Request
 from starlette.responses import Response
 
+from vrts.desk.again.marking import Marking
 from vrts.desk.desk import Desk, Shown
+from vrts.desk.figures.statistics import statistics
 from vrts.desk.front.answers import refusal, told, told_bytes
 from vrts.desk.programs import Programs
 from vrts.desk.rows.row_view import one_row
-from vrts.desk.told import ClassTold, GraderTold
+from vrts.desk.told import ClassTold, GraderTold, MarkingTold
 
 
 class ClassPages:
     """The handlers."""
 
-    def __init__(self, desk: Desk, programs: Programs) -> None:
+    def __init__(self, desk: Desk, programs: Programs, marking: Marking) -> None:
         """Serve a desk."""
         self._desk = desk
+        self._marking = marking
         self._programs = programs
 
     async def whole(self, request: Request) -> Response:
@@ -26,7 +29,7 @@ class ClassPages:
 
         def made() -> Response:
             shown = self._desk.now()
-            return told_bytes(request, msgspec.json.encode(class_told(self._desk, shown)))
+            return told_bytes(request, msgspec.json.encode(self._told(shown)))
 
         return await asyncio.to_thread(made)
 
@@ -43,23 +46,36 @@ class ClassPages:
 
         return await asyncio.to_thread(made)
 
+    async def statistics(self, request: Request) -> Response:
+        """Return the class in numbers."""
 
-def class_told(desk: Desk, shown: Shown) -> ClassTold:
+        def made() -> Response:
+            shown = self._desk.now()
+            return told(request, statistics(shown.book, shown.listed.causes))
+
+        return await asyncio.to_thread(made)
+
+    def _told(self, shown: Shown) -> ClassTold:
+        marking = self._marking.told(shown.book.opened)
+        return class_told(self._desk.me, shown, marking)
+
+
+def class_told(me: GraderTold, shown: Shown, marking: MarkingTold) -> ClassTold:
     """Return a class as the page is told it."""
     book, listed = shown.book, shown.listed
-    others = {one.id: one for one in (*book.decided.graders, desk.me)}
+    others = {one.id: one for one in (*book.decided.graders, me)}
     about = book.opened.about
     return ClassTold(
         book.rows.title,
         float(book.rows.total),
         shown.revision,
-        desk.me,
+        me,
         tuple(sorted(others.values(), key=_name)),
         tuple(listed.rows.values()),
         book.decided.items,
         listed.causes,
         book.decided.conflicts,
-        desk.marking(),
+        marking,
         about.when.isoformat(),
         book.problems,
     )

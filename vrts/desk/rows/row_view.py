@@ -4,7 +4,7 @@ from urllib.parse import quote
 
 from vrts.desk.book.book import Book
 from vrts.desk.rows.causes import cause_key
-from vrts.desk.told import Attempt, LossTold, OneRow, RowTold, SourceTold, StepTold
+from vrts.desk.told import LossTold, OneRow, RowTold, SourceTold, StepTold
 from vrts.marking.exports.numbers import number
 from vrts.marking.exports.steps import steps
 from vrts.marking.layout import STAFF, STUDENTS
@@ -57,7 +57,7 @@ def one_row(
         mine.history,
         _address(book, row, staff=True),
         _address(book, row, staff=False),
-        _attempts(row),
+        book.attempts_of(row),
     )
 
 
@@ -75,10 +75,3 @@ def _address(book: Book, row: Row, *, staff: bool) -> str | None:
         return None
     folder = f"{STAFF}/{STUDENTS}" if staff else STUDENTS
     return f"{FILES}/{folder}/{quote(row.id, safe='')}/{REPORT}"
-
-
-def _attempts(row: Row) -> tuple[Attempt, ...]:
-    """Return the hand-in that was marked; what else was handed in has no mark."""
-    if not row.handed_in.file:
-        return ()
-    return (Attempt(row.handed_in.received, row.result.mark, row.handed_in.file),)

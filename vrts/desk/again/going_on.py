@@ -1,0 +1,69 @@
+"""Whether a marking goes on in a folder: a lock that ends with the process that marks."""
+
+import fcntl
+import os
+from collections.abc import Generator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Final
+
+from vrts.base.diagnostic import error
+from vrts.desk.book.opened import GOES_ON
+from vrts.marking.layout import Layout
+from vrts.marking.supervise.staging import LOCK as STAGING_LOCK
+from vrts.pipeline.refused import Refused
+
+LOCK: Final = ".again.lock"  # in `staff`; nothing is in it
+
+
+@contextmanager
+def marking_alone(folder: Path) -> Generator[None]:
+    """Mark in a folder in which nobody else does.
+
+    Raises:
+        Refused: Somebody does.
+        OSError: The folder cannot be written.
+    """
+    staff = Layout(folder).staff
+    descriptor = os.open(staff / LOCK, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
+    try:
+        if not _taken(descriptor) or _staging(folder):
+            headline = "a marking goes on in this folder already"
+            remedy = "wait until it has ended, then mark again"
+            raise Refused((error(GOES_ON, headline, help=(remedy,)),))
+        yield
+    finally:
+        os.close(descriptor)
+
+
+def goes_on(folder: Path) -> bool:
+    """Return whether a marking goes on: of a desk, or of `vrts grade`."""
+    return _held(Layout(folder).staff / LOCK) or _staging(folder)
+
+
+def _staging(folder: Path) -> bool:
+    """Return whether a marking holds one of its folders of drafts."""
+    staging = Layout(folder).staging
+    return staging.is_dir() and any(_held(lock) for lock in staging.glob(f"*{STAGING_LOCK}"))
+
+
+def _held(lock: Path) -> bool:
+    try:
+        descriptor = os.open(lock, os.O_RDWR | os.O_CLOEXEC)
+    except OSError:
+        return False
+    try:
+        return not _taken(descriptor)
+    finally:
+        os.close(descriptor)
+
+
+def _taken(descriptor: int) -> bool:
+    """Return whether the lock could be taken; without locks nobody can tell, and it is."""
+    try:
+        fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        return False
+    except OSError:
+        return True
+    return True
