@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from vrts.cli.authoring.variants_command import command as variants
 from vrts.cli.shared.console import (
     HOLDS,
     WRONG,
@@ -122,6 +123,9 @@ def pack(folder: Path, target: Path, versions: tuple[str, ...], color: str) -> N
     if rules is not None and rules.opens is not None:
         opens = rules.opens.isoformat(" ")
         out(f"exam: hand {files.name}-student.zip out at {opens}; a zip cannot lock itself")
+
+
+command.add_command(variants)
 
 
 def _folder(path: Path) -> Path:

@@ -1,0 +1,101 @@
+"""`vrts task variants`."""
+
+from pathlib import Path
+
+import click
+
+from vrts.cli.shared.console import WRONG, fail, guarded, out, say, show_diagnostics, write_file
+from vrts.cli.shared.options import color_option, file_option
+
+EPILOG = """\b
+Examples:
+  vrts task variants lab1 --roster grades.csv -o zips
+  vrts task variants lab1 --roster grades.csv -o zips --key ~/lab1.key
+
+\b
+Afterwards, with the same list and the same key:
+  vrts grade lab1 download.zip --roster grades.csv -o out
+"""
+
+
+@click.command(name="variants", epilog=EPILOG)
+@click.argument("task", type=click.Path(path_type=Path))
+@file_option(
+    "--roster",
+    "class_list_file",
+    required=True,
+    help="Moodle's grading worksheet, or the grade book of Canvas: who is in the class.",
+)
+@file_option("-o", "--output", "target", required=True, help="Folder for zips and table.")
+@file_option("--key", help="The key that decides; without it variants.key beside the task.")
+@click.option(
+    "--allow",
+    "versions",
+    multiple=True,
+    metavar="VERSION",
+    help="A version of vrts that may mark; without it this one.",
+)
+@color_option
+@guarded
+def command(
+    task: Path,
+    class_list_file: Path,
+    target: Path,
+    key: Path | None,
+    versions: tuple[str, ...],
+    color: str,
+) -> None:
+    """Write a zip of TASK for each student of a class, each with a variant of its own.
+
+    TASK is a folder or a zip with `[variants]` in its task.toml. OUTPUT/students has the zips: the
+    files of `vrts task pack` for students, with the numbers of that variant. OUTPUT/variants.csv
+    tells who has which, and is not for students. With Moodle's list, moodle-feedback.zip has them
+    all, for "Upload multiple feedback files in a zip".
+
+    A key decides which variant each gets. If there is none, it is made, and only its owner may read
+    it. With another key everybody has another variant: keep a copy. TASK must pass `vrts task
+    check`.
+    """
+    from vrts.assignments.packed import is_packed
+    from vrts.assignments.task_check import check_task
+    from vrts.assignments.task_folder import reference_of
+    from vrts.assignments.variants.key import key_made, place_of_key
+    from vrts.assignments.variants.of_task import load_varied
+    from vrts.marking.intake.tables.roster import read_roster
+    from vrts.marking.variants.class_list import class_list
+    from vrts.marking.variants.hand_out import MOODLE, STUDENTS, TABLE, hand_out
+    from vrts.pipeline.files import read_bytes
+
+    if not task.exists():
+        fail(f"there is no `{task}`")
+    if target.exists() and not target.is_dir():
+        fail(f"`{target}` is a file, and zips want a folder", ("name another one with `-o`",))
+    varied = load_varied(task)
+    members = class_list(
+        read_roster(read_bytes(class_list_file), class_list_file.name, None), class_list_file.name
+    )
+    if not is_packed(task):
+        found = check_task(varied.base, reference_of(task if task.is_dir() else task.parent))
+        if not found.ready:
+            show_diagnostics(found.findings, color)
+            fail("nothing is written: the task does not pass `vrts task check`", status=WRONG)
+    place = key or place_of_key(task)
+    secret, made = key_made(place)
+    if made:
+        say(f"made the key {place}: keep a copy, and give it to no student")
+    handed = hand_out(varied, members, secret, versions)
+    show_diagnostics(handed.told, color)
+    if handed.same_pictures:
+        say(f"note: these pictures are the same for all: {', '.join(handed.same_pictures)}")
+    (target / STUDENTS).mkdir(parents=True, exist_ok=True)
+    for name, data in handed.files.items():
+        write_file(target / name, data)
+    write_file(target / TABLE, handed.table, private=True)
+    if handed.moodle is not None:
+        write_file(target / MOODLE, handed.moodle)
+    count = len(handed.files)
+    students = "1 student" if count == 1 else f"{count} students"
+    out(f"{target / STUDENTS}: zips for {students}, {handed.variants} variants of them different")
+    out(f"{target / TABLE}: who has which; not for students")
+    if handed.moodle is not None:
+        out(f"{target / MOODLE}: all zips, to be uploaded as feedback files")

@@ -1,0 +1,97 @@
+"""The zips of a whole class, and the table of who has which variant."""
+
+import re
+from collections.abc import Iterator, Mapping
+from typing import NamedTuple
+
+from vrts.assignments.variants.handed_out import HandedOut, handed_out, pictures_of, told_once
+from vrts.assignments.variants.of_task import VariedTask
+from vrts.base.diagnostic import Diagnostic
+from vrts.base.safe_names import safe
+from vrts.base.zips import packed_in_turn
+from vrts.check.variants.drawn import drawn
+from vrts.marking.exports.folders import MODE
+from vrts.marking.intake.row import Platform
+from vrts.marking.intake.tables.table_text import BOM, field
+from vrts.marking.variants.class_list import ClassList, Member
+from vrts.pipeline.refused import Refused
+
+TABLE = "variants.csv"
+STUDENTS = "students"
+MOODLE = "moodle-feedback.zip"
+_NUMBER = re.compile(r"-?\d+(\.\d+)?")
+COLUMNS = ("id", "name", "email", "variant", "zip")
+MOST_TOLD = 20  # diagnostics of variants that are no sound tasks
+
+
+class Handed(NamedTuple):
+    """What a class gets."""
+
+    files: Mapping[str, bytes]  # zips by name
+    table: bytes  # for staff
+    moodle: bytes | None  # all zips as Moodle takes them; None: another platform
+    variants: int  # different ones
+    told: tuple[Diagnostic, ...]
+    same_pictures: tuple[str, ...]  # that are no drawings of the scene: the same for all
+
+
+def hand_out(
+    varied: VariedTask, members: ClassList, key: bytes, versions: tuple[str, ...] = ()
+) -> Handed:
+    """Return a zip for everybody in a class.
+
+    Raises:
+        Refused: A variant that somebody has is no sound task.
+    """
+    pictures = pictures_of(varied)
+    handed: list[tuple[Member, str, HandedOut]] = []
+    wrong: list[Diagnostic] = []
+    made: dict[str, HandedOut] = {}  # by tag: several may have the same
+    for member in members.members:
+        variant = drawn(varied.variants, key, member.drawn_by)
+        try:
+            one = made.get(variant.tag) or handed_out(varied, variant, pictures, versions)
+        except Refused as refused:
+            wrong += refused.diagnostics
+            continue
+        made[variant.tag] = one
+        handed.append((member, _file(member), one))
+    if wrong:
+        raise Refused(tuple(wrong[:MOST_TOLD]))
+    files = {f"{STUDENTS}/{name}": one.data for _, name, one in handed}
+    moodle = None
+    if members.platform is Platform.MOODLE:
+        moodle = packed_in_turn(_for_moodle(varied.files.name, handed), MODE)
+    table, told = _table(varied, handed), told_once(made.values())
+    return Handed(files, table, moodle, len(made), told, pictures.kept)
+
+
+def _file(member: Member) -> str:
+    """Return the name of a student's zip."""
+    return f"{safe(f'{member.student.name}_{member.number}')}.zip"
+
+
+def _for_moodle(
+    task: str, handed: list[tuple[Member, str, HandedOut]]
+) -> Iterator[tuple[str, bytes]]:
+    """Yield what "Upload multiple feedback files in a zip" takes: it goes by the number alone."""
+    for member, _, one in handed:
+        name = safe(member.student.name.replace("_", "-"))
+        folder = f"{name}_{member.number}_assignsubmission_file_"
+        yield f"{folder}/{task}-{one.variant.tag}.zip", one.data
+
+
+def _table(varied: VariedTask, handed: list[tuple[Member, str, HandedOut]]) -> bytes:
+    names = [vary.name for vary in varied.variants.varies]
+    lines = [[*map(field, (*COLUMNS, *names))]]
+    for member, name, one in handed:
+        values = varied.variants.values(one.variant.combination)
+        student = member.student
+        told = (member.number, student.name, student.email, one.variant.tag, name)
+        lines.append([*map(field, told), *map(_value, values.values())])
+    return BOM + "".join(f"{','.join(line)}\r\n" for line in lines).encode()
+
+
+def _value(text: str) -> str:
+    """Return a value as a field: a number stays one."""
+    return text if _NUMBER.fullmatch(text) else field(text)
