@@ -54,7 +54,7 @@ NEXT = """new Promise((done) => {
 @pytest.fixture(scope="module")
 def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[DeskServer]:
     folder: Path = tmp_path_factory.mktemp("desk")
-    write_desk_class(folder, ROWS, decisions=False)
+    write_desk_class(folder, ROWS)
     with DeskServer(folder / "out", "R. Huber", measured=True) as started:
         yield started
 

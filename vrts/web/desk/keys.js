@@ -60,7 +60,8 @@ export function bindKeys(acts) {
   document.addEventListener("keydown", (event) => {
     if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
     if (document.querySelector("dialog[open]") || document.querySelector(":popover-open")) return;
-    const target = /** @type {HTMLElement} */ (event.target);
+    const { target } = event;
+    if (!(target instanceof Element)) return;
     if (target.matches("textarea, select, input:not([type=checkbox], [type=radio])")) {
       if (event.key === "Escape" && !target.matches("textarea")) byId("list").focus();
       return;

@@ -70,6 +70,8 @@ async function begin() {
   } catch (problem) {
     desk.failed(problem, () => void begin());
     return;
+  } finally {
+    document.body.classList.remove("waiting");
   }
   const asked = decodeURIComponent(location.hash.match(/^#s=(.+)$/)?.[1] ?? "");
   const first = desk.rows.get(asked) ?? nextOpen([...desk.rows.values()], undefined, desk.me) ?? desk.listed[0];
