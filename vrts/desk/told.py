@@ -159,6 +159,7 @@ class GivenTold(Struct, frozen=True):
     at: str
     line: int | None
     time_s: float | None
+    students: tuple[str, ...]  # who got it by the same record
 
 
 class ChangeTold(Struct, frozen=True):
@@ -181,6 +182,7 @@ class HistoryTold(Struct, frozen=True):
     at: str
     sentence: str
     undone_by: str | None
+    students: int  # whom it is about
 
 
 class SourceTold(Struct, frozen=True):

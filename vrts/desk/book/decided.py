@@ -82,7 +82,7 @@ def told_of(ledger: Ledger, state: State, programs: Mapping[str, str], me: str) 
             named = (one.said.keep, *one.said.over)
             students = tuple(dict.fromkeys(who for name in named for who in whose.get(name, ())))
         whose[one.name] = students
-        told = _history(one, undone.get(one.name))
+        told = _history(one, undone.get(one.name), len(students))
         for student in students:
             history[student].append(told)
     return Decided(
@@ -133,7 +133,8 @@ def _comment(one: Filed, program: str, me: str) -> CommentTold:
 def _given(one: Filed) -> GivenTold:
     said = one.said
     assert isinstance(said, Give)
-    return GivenTold(one.name, said.item, one.grader, said.at, said.line, said.time_s)
+    where = said.line, said.time_s
+    return GivenTold(one.name, said.item, one.grader, said.at, *where, said.students)
 
 
 def _change(one: Filed) -> ChangeTold:
@@ -150,8 +151,9 @@ def _looked(one: Filed, program: str) -> Looked:
     return Looked(one.grader, _points(said.mark), stale)
 
 
-def _history(one: Filed, undone_by: str | None) -> HistoryTold:
-    return HistoryTold(one.name, one.grader, one.who, one.said.at, sentence_of(one), undone_by)
+def _history(one: Filed, undone_by: str | None, students: int) -> HistoryTold:
+    sentence = sentence_of(one)
+    return HistoryTold(one.name, one.grader, one.who, one.said.at, sentence, undone_by, students)
 
 
 def _points(text: str | None) -> float | None:

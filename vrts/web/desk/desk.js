@@ -209,32 +209,32 @@ export class Desk {
   /**
    * Have records written: what they likely change is shown at once, and taken back if the server refuses.
    * @param {Said[]} records @param {string} words what is then said to have been done @param {Row[]} guesses
+   * @param {boolean} kept whether the key for undoing comes back to it
    * @returns {Promise<boolean>} whether it was done
    */
-  act(records, words, guesses = []) {
+  act(records, words, guesses = [], kept = true) {
     const before = guesses.flatMap((row) => this.rows.get(row.id) ?? []);
     for (const row of guesses) this.rows.set(row.id, { ...row, pending: true });
     if (guesses.length) this.tell("class");
-    const written = this.queue.then(() => this.write(records, words, before));
+    const written = this.queue.then(() => this.write(records, words, before, kept));
     this.queue = written;
     return written;
   }
 
-  /** @param {Said[]} records @param {string} words @param {Row[]} before */
-  async write(records, words, before) {
+  /** @param {Said[]} records @param {string} words @param {Row[]} before @param {boolean} kept */
+  async write(records, words, before, kept) {
     try {
       const written = /** @type {Written} */ (await post("/api/records", { records, expect: this.data?.revision ?? "" }));
       this.take(written);
       this.linked(true);
-      const undone = records[0]?.does === "undo";
-      if (!undone && written.added.length) this.done = [...this.done, { records: written.added, words }].slice(-UNDOS);
-      this.notes.done(words, undone ? null : () => void this.undo(written.added, words));
+      if (kept && written.added.length) this.done = [...this.done, { records: written.added, words }].slice(-UNDOS);
+      this.notes.done(words, () => void this.undo(written.added, words));
       await this.fetchDetail();
       return true;
     } catch (problem) {
       for (const row of before) this.rows.set(row.id, row);
       this.tell("class");
-      this.failed(problem, () => void this.act(records, words));
+      this.failed(problem, () => void this.act(records, words, [], kept));
       if (problem instanceof NotDone && problem.kind === "changed") this.later();
       return false;
     }
@@ -259,7 +259,7 @@ export class Desk {
       return;
     }
     this.done = this.done.filter((one) => one.records[0] !== last.records[0]);
-    if (!(await this.act([{ does: "undo", records: last.records }], `Undone: ${lower(last.words)}`))) this.done.push(last);
+    if (!(await this.act([{ does: "undo", records: last.records }], `Undone: ${lower(last.words)}`, [], false))) this.done.push(last);
   }
 
   /** Mark again. @param {string[] | "all"} students */

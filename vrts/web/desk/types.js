@@ -28,9 +28,9 @@
 /** @typedef {{code: string, slug: string, severity: string, headline: string, line: number | null, time_s: number | null, help: string[]}} Finding */
 /** @typedef {{points: number | string | null, title: string, sentence: string | null}} Step */
 /** @typedef {{record: string, who: string, name: string, at: string, line: number | null, time_s: number | null, text: string, private: boolean, stale: boolean, mine: boolean}} Comment */
-/** @typedef {{record: string, item: string, who: string, at: string, line: number | null, time_s: number | null, students?: number}} Given */
+/** @typedef {{record: string, item: string, who: string, at: string, line: number | null, time_s: number | null, students: string[]}} Given */
 /** @typedef {{record: string, who: string, at: string, delta: number | string | null, mark: number | string | null, reason: string}} Change */
-/** @typedef {{record: string, who: string, name: string, at: string, sentence: string, undone_by: string | null}} Past */
+/** @typedef {{record: string, who: string, name: string, at: string, sentence: string, undone_by: string | null, students: number}} Past */
 /** @typedef {{at: string | null, mark: number | null, file: string | null}} Attempt */
 
 /**

@@ -4,7 +4,7 @@ import { make } from "../../live/dom.js";
 
 /** @typedef {import("../types.js").Bin} Bin */
 
-const [WIDTH, HEIGHT, BELOW] = [360, 120, 18];
+const [WIDTH, HEIGHT, BELOW] = [640, 150, 18];
 
 /** @param {string} tag @param {Record<string, string | number>} attributes @param {string} text @returns {SVGElement} */
 function svg(tag, attributes, text = "") {
@@ -16,7 +16,7 @@ function svg(tag, attributes, text = "") {
 
 /** Return a number without needless digits. @param {number} value */
 function plain(value) {
-  return String(Math.round(value * 100) / 100);
+  return String(Math.round(value * 100) / 100).replace("-", "−");
 }
 
 /**

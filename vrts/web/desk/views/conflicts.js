@@ -37,7 +37,7 @@ export class Conflicts {
     const row = conflict.student ? desk.rows.get(conflict.student) : undefined;
     const reason = make("input", { "aria-label": "Reason", placeholder: "Why this one holds", maxlength: 500, value: this.drafts.get(conflict.id) ?? "" });
     reason.addEventListener("input", () => this.drafts.set(conflict.id, reason.value));
-    const title = make("h3", {}, ...prose(conflict.sentence));
+    const title = make("h3", {}, row ? `${row.name}: ` : "", conflict.about);
     const decide = async (/** @type {string} */ keep, /** @type {string} */ sentence) => {
       if (!reason.value.trim()) {
         reason.setCustomValidity("Give a reason: it is kept with the decision.");
@@ -48,7 +48,7 @@ export class Conflicts {
       const over = conflict.sides.map((side) => side.record).filter((record) => record !== keep);
       if (await desk.act([{ does: "decide", keep, over, reason: reason.value.trim() }], `Decided: ${sentence}`)) this.drafts.delete(conflict.id);
     };
-    return make("section", { class: "conflict", "aria-label": conflict.sentence }, title,
+    return make("section", { class: "dispute", "aria-label": conflict.sentence }, title,
       ...(row ? [make("p", {}, button(`Look at ${row.name}`, () => {
         desk.show("work");
         void desk.choose(row.id);

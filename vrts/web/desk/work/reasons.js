@@ -1,7 +1,8 @@
 // Why the mark is what it is: what was lost and when, the checks, the steps, and what graders did.
 
 import { button, byId, figure, make, prose } from "../../live/dom.js";
-import { lost, mark, moment, points, when } from "../words.js";
+import { counted, lost, mark, moment, points, when } from "../words.js";
+import { ask } from "../ask.js";
 import { tabs } from "./tabs.js";
 
 /** @typedef {import("../desk.js").Desk} Desk */
@@ -69,14 +70,21 @@ export class Reasons {
     else this.replay.show(time_s);
   }
 
+  /** @param {import("../types.js").Past} one */
+  async undo(one) {
+    const all = counted(one.students, "student");
+    if (one.students > 1 && !(await ask(`Undo it for ${all}?`, [make("p", {}, "This was decided at once for all of them: ", ...prose(one.sentence))], "Undo"))) return;
+    await this.desk.undo([one.record], one.sentence);
+  }
+
   /** @param {import("../types.js").Detail} detail */
   past(detail) {
     if (!detail.history.length) return [make("p", { class: "soft", text: "Nobody has decided anything here yet." })];
     return [make("ul", { class: "past" }, ...[...detail.history].reverse().map((one) => {
       const entry = make("li", { class: one.undone_by ? "undone" : "" },
         make("p", {}, ...prose(one.sentence)),
-        make("p", { class: "soft", text: `${one.name || one.who}, ${when(one.at)}${one.undone_by ? `, undone by ${one.undone_by.split(":")[0]}` : ""}` }));
-      if (!one.undone_by) entry.append(button("Undo", () => void this.desk.undo([one.record], one.sentence), { class: "jump", "aria-label": `Undo: ${one.sentence}` }));
+        make("p", { class: "soft", text: `${one.name || one.who}, ${when(one.at)}${one.students > 1 ? `, for ${counted(one.students, "student")}` : ""}${one.undone_by ? `, undone by ${one.undone_by.split(":")[0]}` : ""}` }));
+      if (!one.undone_by) entry.append(button("Undo", () => void this.undo(one), { class: "jump", "aria-label": `Undo: ${one.sentence}` }));
       return entry;
     }))];
   }

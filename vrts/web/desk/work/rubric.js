@@ -81,9 +81,10 @@ export class Rubric {
     }
     const given = this.desk.detail?.row.id === row.id ? this.desk.detail.given.filter((one) => one.item === item.id) : [];
     if (!given.length) return;
-    const many = Math.max(...given.map((one) => one.students ?? 1));
-    if (many > 1 && !(await ask("Take it from all of them?", [make("p", { text: `“${item.title}” was given to ${counted(many, "student")} at once. It is taken from all of them.` })], "Take"))) return;
-    void this.desk.act([{ does: "undo", records: given.map((one) => one.record) }], `Took “${item.title}” from ${many > 1 ? counted(many, "student") : row.name}`, [guess(row, item, false)]);
+    // what was given to several at once stays with the others
+    const others = [...new Set(given.flatMap((one) => one.students))].filter((id) => id !== row.id && this.desk.rows.get(id)?.items.includes(item.id));
+    const records = [{ does: "undo", records: given.map((one) => one.record) }, ...(others.length ? [{ does: "give", item: item.id, students: others }] : [])];
+    void this.desk.act(records, `Took “${item.title}” from ${row.name}`, [guess(row, item, false)]);
   }
 
   /** Fill the form with an item, or with a new one. @param {Item | null} item */
