@@ -63,14 +63,13 @@ def _place(
     if keys:
         first = min(keys, key=lambda key: rank[key])
         cause = shared[first]
-        others = "" if cause.count == 1 else f", as {cause.count - 1} others"
-        return CAUSE, rank[first], "", f"lost {cause.points:g}{others}"
+        also = "" if cause.count == 1 else f", as {_others(cause.count - 1)}"
+        return CAUSE, rank[first], "", f"lost {cause.points:g}{also}"
     alike = book.likeness.get(row.id)
     if alike is not None:
-        return (
-            ALIKE,
-            -alike.score,
-            alike.group,
-            f"like {len(alike.with_)} other" + ("" if len(alike.with_) == 1 else "s"),
-        )
+        return ALIKE, -alike.score, alike.group, f"like {_others(len(alike.with_))}"
     return REST, 0, "", "nothing is known against it"
+
+
+def _others(count: int) -> str:
+    return "1 other" if count == 1 else f"{count} others"

@@ -1,0 +1,89 @@
+"""A folder that is of no use to the desk says why."""
+
+import json
+from pathlib import Path
+
+import pytest
+from msgspec.structs import replace
+
+from tests.support_desk import about_of, write_desk_class
+from vrts.desk.again.asked import again
+from vrts.desk.book.opened import open_marking
+from vrts.desk.book.shelf import Shelf
+from vrts.marking.about import to_bytes
+from vrts.marking.layout import Layout
+from vrts.pipeline.files import CannotRead
+from vrts.pipeline.refused import Refused
+
+
+@pytest.fixture
+def layout(tmp_path: Path) -> Layout:
+    return write_desk_class(tmp_path, 2)
+
+
+def refusal(folder: Path) -> tuple[str, str]:
+    with pytest.raises(Refused) as caught:
+        open_marking(folder)
+    return caught.value.diagnostics[0].rule.code, caught.value.diagnostics[0].headline
+
+
+def test_what_is_no_folder_or_no_marking(tmp_path: Path) -> None:
+    for place in (tmp_path / "nothing", Path(__file__)):
+        with pytest.raises(CannotRead):
+            open_marking(place)
+    assert refusal(tmp_path)[0] == "V760"
+
+
+def test_a_purged_folder(layout: Layout) -> None:
+    (layout.staff / "marking.json").unlink()
+    (layout.staff / "statistics.json").write_text("{}")
+    assert refusal(layout.root) == (
+        "V850",
+        f"`{layout.root}` is purged: only its statistics are left",
+    )
+
+
+def test_a_marking_that_has_not_come_to_a_list(layout: Layout) -> None:
+    about = replace(open_marking(layout.root).about, finished=None)
+    (layout.staff / "marking.json").write_bytes(to_bytes(about))
+    assert open_marking(layout.root).about.finished is None, "the list of before is shown"
+    layout.results.unlink()
+    assert refusal(layout.root)[0] == "V851"
+
+
+def test_files_of_another_version_and_ids_that_lead_out_of_the_folder(layout: Layout) -> None:
+    rows = json.loads(layout.results.read_text())
+    rows["rows"][0]["id"] = "../../etc"
+    layout.results.write_text(json.dumps(rows))
+    assert refusal(layout.root)[0] == "V852"
+    rows["schema"] = "vrts.class/9"
+    layout.results.write_text(json.dumps(rows))
+    assert refusal(layout.root)[0] == "V760"
+
+
+def test_what_becomes_unreadable_is_told_beside_what_was_there(layout: Layout) -> None:
+    shelf = Shelf(layout.root, "huber")
+    before = shelf.now()
+    assert shelf.now() is before, "nothing has changed"
+    layout.results.write_text("{")
+    after = shelf.now()
+    assert [row.id for row in after.rows.rows] == [row.id for row in before.rows.rows]
+    assert "holds no complete marking" in after.problems[0]
+
+
+def test_a_task_or_submissions_that_have_moved_are_told(layout: Layout, tmp_path: Path) -> None:
+    about = open_marking(layout.root).about
+    told = again(replace(about, command=("vrts", "grade", "--zone", "+01:00")), layout, 1)
+    assert told.submissions == tmp_path / "handed-in"
+    assert told.how.zone is not None
+    roster = ("vrts", "grade", "t", "--roster=nowhere.csv")
+    gone = [
+        replace(about, place=replace(about.place, task="nowhere/task.toml")),
+        about_of(tmp_path / "nowhere"),
+        replace(about, command=roster),
+    ]
+    for one in gone:
+        with pytest.raises(Refused) as caught:
+            again(one, layout, 1)
+        assert caught.value.diagnostics[0].rule.code == "V854"
+        assert "nowhere" in caught.value.diagnostics[0].headline
