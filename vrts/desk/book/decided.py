@@ -1,7 +1,7 @@
 """What graders have decided, by student: as the page shows it."""
 
 from collections import defaultdict
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from types import MappingProxyType
 from typing import NamedTuple
@@ -99,6 +99,11 @@ def told_of(ledger: Ledger, state: State, programs: Mapping[str, str], me: str) 
 
 def _mine(found: OfStudent, history: tuple[HistoryTold, ...], program: str, me: str) -> Mine:
     due = found.extension[0].said if found.extension else None
+    looked = tuple(_looked(one, program) for one in found.finished)
+    if _alone(found, looked, me):
+        theirs = {one.name for one in found.finished if one.grader != me}
+        looked = tuple(one for one in looked if one.who == me)
+        history = tuple(one for one in history if one.record not in theirs)
     comments = (*found.comments, *found.lapsed)
     return Mine(
         tuple(_comment(one, program, me) for one in comments if isinstance(one.said, Comment)),
@@ -106,11 +111,17 @@ def _mine(found: OfStudent, history: tuple[HistoryTold, ...], program: str, me: 
         tuple(_change(one) for one in found.mark if isinstance(one.said, ChangeMark)),
         tuple(sorted(history, key=lambda one: one.at)),
         found.assigned,
-        tuple(_looked(one, program) for one in found.finished if isinstance(one.said, Finish)),
+        looked,
         due.due if isinstance(due, Extend) else None,
         any(isinstance(one.said, Excuse) for one in found.mark),
         bool(found.conflicts),
     )
+
+
+def _alone(found: OfStudent, looked: Iterable[Looked], me: str) -> bool:
+    """Return whether somebody is to mark by themselves, and has not: others' marks stay hidden."""
+    double = len(found.assigned) > 1 and me in found.assigned
+    return double and not any(one.who == me and not one.stale for one in looked)
 
 
 def _comment(one: Filed, program: str, me: str) -> CommentTold:
