@@ -160,7 +160,7 @@ def _commands(told: Told, known: frozenset[str]) -> Iterable[str]:
     taken = (*told.imports, *told.dotted)
     if not any(one == c or one.startswith(c + ".") for one in taken for c in CALLERS):
         return ()
-    every = [n for n in known if re.fullmatch(r"vrts/cli/(?:\w+/)?\w+_command\.py", n)]
+    every = [n for n in known if re.fullmatch(r"vrts/cli/(?:\w+/)*\w+_command\.py", n)]
     called = [n for n in every if PurePosixPath(n).stem.removesuffix("_command") in told.parts]
     return (COMMANDS, *(called or every))
 

@@ -11,7 +11,7 @@ from vrts.marking.intake.row import Attempt
 from vrts.marking.intake.row import Kind as Problem
 from vrts.marking.intake.row import Row as Found
 from vrts.marking.intake.tree.opening import Tree, Unreadable
-from vrts.marking.lateness import best, lateness, marks
+from vrts.marking.lateness import best, in_row, lateness, marks
 from vrts.marking.marking import Done, Entry
 from vrts.marking.result import Kind, Result
 from vrts.marking.row import HandedIn, Lateness, Row, Student, row_of
@@ -139,8 +139,4 @@ def _late(found: Found, result: Result, rules: LateRules | None) -> Lateness | N
         called = found.late  # a platform tells what came too late, and not what came too early
     late = lateness(rules, found.received, due=found.due, called_late=called)
     nothing_came = result.kind in (Kind.MISSING, Kind.EXCUSED)
-    if not late.sentence or (late.untimed and nothing_came):
-        return None
-    deduction = marks(result.exact_mark or Fraction(0), late, result.exact_total).deduction
-    seconds = 0 if late.late_by is None else int(late.late_by.total_seconds())
-    return Lateness(seconds, str(deduction), late.sentence, late.review, late.untimed)
+    return None if late.untimed and nothing_came else in_row(late, result)

@@ -9,8 +9,7 @@ from typing import NamedTuple
 from msgspec import structs
 
 from vrts.base.diagnostic import Diagnostic, Rule, error
-from vrts.marking.by_hand.override_text import load_overrides
-from vrts.marking.by_hand.overrides import lapses, with_change
+from vrts.marking.by_hand.by_hand import all_lapses, load_by_hand, with_by_hand
 from vrts.marking.class_marks import class_row, entries, nothing_late
 from vrts.marking.intake.tables.intake_table import write_rows
 from vrts.marking.intake.tree.opening import open_place
@@ -124,7 +123,7 @@ def merged_class(marker: Marker, home: AtHome, layout: Layout) -> Marked:
     if other and was_edited(layout, layout.intake):
         raise _edited_since(layout, home)
     names = [row.identifier for row in home.found]
-    changes = load_overrides(layout.overrides, names, task.mark.total)
+    changes = load_by_hand(layout, names, task.mark.total, task.late)
     done = tuple(
         Done(
             entry,
@@ -137,7 +136,7 @@ def merged_class(marker: Marker, home: AtHome, layout: Layout) -> Marked:
         for entry in home.entries
     )
     rows = tuple(
-        with_change(class_row(found, one.result, task.late), changes)
+        with_by_hand(class_row(found, one.result, task.late), changes)
         for found, one in zip(home.found, done, strict=True)
     )
     write_atomically(layout.intake, home.intake)
@@ -148,7 +147,7 @@ def merged_class(marker: Marker, home: AtHome, layout: Layout) -> Marked:
         (
             *nothing_late(task.late, home.found),
             *changes.diagnostics,
-            *lapses(rows, changes),
+            *all_lapses(rows, changes),
         ),
         "" if home.edited else sha256(home.intake).hexdigest(),
         {row.identifier: row.group for row in home.found},

@@ -8,6 +8,8 @@ from typing import NamedTuple
 from vrts.check.rules.scheme import TOTAL
 from vrts.check.task.late_rules import LateRules
 from vrts.check.task.score import to_tenth
+from vrts.marking.result import Result
+from vrts.marking.row import Lateness as InRow
 
 DAY = timedelta(days=1)
 ON_TIME = timedelta(0)
@@ -79,6 +81,15 @@ def lateness(
     points = min(rules.most, _cost(rules, late_by))
     sentence = f"{_words(late_by)} late: {_points(points)}"
     return Lateness(late_by, points, closed=False, sentence=sentence)
+
+
+def in_row(late: Lateness, result: Result) -> InRow | None:
+    """Return lateness as a row of the class has it; None where there is nothing to say."""
+    if not late.sentence:
+        return None
+    deduction = marks(result.exact_mark or NOTHING, late, result.exact_total).deduction
+    seconds = 0 if late.late_by is None else int(late.late_by.total_seconds())
+    return InRow(seconds, str(deduction), late.sentence, late.review, late.untimed)
 
 
 def marks(raw: Fraction, late: Lateness, total: Fraction = TOTAL) -> Marks:

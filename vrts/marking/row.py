@@ -11,7 +11,7 @@ from msgspec import Meta, field
 from vrts.check.rules.scheme import TOTAL
 from vrts.check.task.score import to_tenth
 from vrts.marking.result import Damaged, Exact, Mark, Record, Result, check_mark, decoded
-from vrts.marking.unsafe import Doubt, Reason, doubts
+from vrts.marking.unsafe import Doubt, Reason, doubts, in_order
 
 CLASS_SCHEMA = "vrts.class/1"
 OF_SESSION = "the last session of the room in which something was done"  # `why` of a hand-in
@@ -58,6 +58,55 @@ class Change(Record, frozen=True):
     ] = ()
 
 
+class Told(Record, frozen=True, omit_defaults=True):
+    """Words of a grader about a program, for its student."""
+
+    text: str
+    who: str
+    line: int | None = None
+    time_s: Annotated[float | None, Meta(description="in the run")] = None
+
+
+class Given(Record, frozen=True, omit_defaults=True):
+    """A rubric item that a student has."""
+
+    item: str
+    title: str
+    points: Annotated[Exact, Meta(description="added to the mark; negative: taken off")]
+    who: str
+    places: Annotated[
+        tuple[tuple[int | None, float | None], ...], Meta(description="line, and s in the run")
+    ] = ()
+
+
+class MadeStep(Record, frozen=True):
+    """A part of the change by hand; the parts add up to it."""
+
+    title: str
+    delta: Exact
+    sentence: str
+
+
+class Decided(Record, frozen=True, omit_defaults=True):
+    """What graders have decided about a submission; nothing that is for those who mark only."""
+
+    comments: tuple[Told, ...] = ()
+    items: tuple[Given, ...] = ()
+    steps: tuple[MadeStep, ...] = ()
+    due: Annotated[str, Meta(description="a later deadline, ISO 8601")] = ""
+    excused: Annotated[str, Meta(description="why no mark is expected, and who says so")] = ""
+    conflicts: Annotated[
+        tuple[str, ...], Meta(description="what graders have decided differently")
+    ] = ()
+    lapsed: Annotated[tuple[str, ...], Meta(description="decided about another program")] = ()
+    late: Annotated[
+        Lateness | None, Meta(description="what lateness would be without the later deadline")
+    ] = None
+    result: Annotated[
+        Result | None, Meta(description="what was found out about somebody who is excused")
+    ] = None
+
+
 class Row(Record, frozen=True):
     """A submission in the list of marks: computed mark, deduction, change by hand, final mark."""
 
@@ -71,6 +120,7 @@ class Row(Record, frozen=True):
     unsafe: Annotated[
         tuple[Doubt, ...], Meta(description="why nobody should take the mark for final")
     ] = ()
+    decided: Annotated[Decided | None, Meta(description="by graders; null: nothing")] = None
 
     @property
     def exact_final(self) -> Fraction | None:
@@ -106,6 +156,7 @@ def row_of(
     handed_in: HandedIn,
     late: Lateness | None = None,
     change: Change | None = None,
+    decided: Decided | None = None,
 ) -> Row:
     """Return the row of a result; its final mark is computed here and nowhere else.
 
@@ -120,13 +171,23 @@ def row_of(
         late,
         change,
         None if final is None else float(final),
-        _doubts(result, late, change),
+        _doubts(result, late, change, decided),
+        decided,
     )
 
 
-def _doubts(result: Result, late: Lateness | None, change: Change | None) -> tuple[Doubt, ...]:
+def _doubts(
+    result: Result, late: Lateness | None, change: Change | None, decided: Decided | None
+) -> tuple[Doubt, ...]:
     untimed = late.sentence if late is not None and late.review else ""
-    return doubts(result, untimed=untimed, settled=() if change is None else change.settles)
+    found = doubts(result, untimed=untimed, settled=() if change is None else change.settles)
+    if decided is None or not (decided.conflicts or decided.lapsed):
+        return found
+    of_graders = (
+        *(Doubt(Reason.CONFLICT, text) for text in decided.conflicts),
+        *(Doubt(Reason.LAPSED, text) for text in decided.lapsed),
+    )
+    return in_order((*found, *of_graders))
 
 
 def unsafe_first(rows: Iterable[Row]) -> tuple[Row, ...]:
@@ -185,7 +246,7 @@ def class_from_bytes(data: bytes) -> Class:
         check_mark(row.result, row.result.mark)
         check_mark(row.result, row.final)
     rows = tuple(
-        msgspec.structs.replace(row, unsafe=_doubts(row.result, row.late, row.change))
+        msgspec.structs.replace(row, unsafe=_doubts(row.result, row.late, row.change, row.decided))
         for row in found.rows
     )  # as this vrts judges them, whoever wrote them
     judged = msgspec.structs.replace(found, rows=rows)

@@ -1,6 +1,6 @@
 """Why a mark is unsafe, so that nobody should take it for final: the one place that decides."""
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from enum import Enum
 from typing import Annotated
 
@@ -20,6 +20,8 @@ class Reason(Enum):
     RESOURCE = "resource"  # the process was ended
     AMBIGUOUS = "ambiguous"  # nobody can tell which file is meant
     UNREAD = "unread"  # the file is there, and could not be read
+    CONFLICT = "conflict"  # graders have decided differently
+    LAPSED = "lapsed"  # what graders decided was about another program
     ALTERED = "altered"  # task, scene or controller are not those that were handed out
     VERSION = "version"  # another vrts than the task wants
     HIDDEN = "hidden"  # hidden checks were not made
@@ -29,6 +31,8 @@ class Reason(Enum):
 
 
 REASONS = tuple(reason.value for reason in Reason)
+OF_GRADERS = frozenset({Reason.CONFLICT, Reason.LAPSED})  # only graders can decide these
+SETTLED = tuple(reason.value for reason in Reason if reason not in OF_GRADERS)
 WITHOUT_MARK = {
     Kind.FAULT: Reason.CRASHED,
     Kind.RESOURCE: Reason.RESOURCE,
@@ -41,6 +45,10 @@ REMEDIES = {
     Reason.RESOURCE: "mark it again with fewer `--jobs`, or where there is more memory",
     Reason.AMBIGUOUS: f"name the file that is meant in {TABLE}, and mark again",
     Reason.UNREAD: "make the file readable, or download it again, and mark again",
+    Reason.CONFLICT: "`vrts grade decisions OUT` says who differs: decide with `--keep NAME`, or"
+    " take one back with `--undo NAME`",
+    Reason.LAPSED: "look at the program that is marked now, decide anew, and take back what was"
+    " decided before with `vrts grade decisions OUT --undo NAME`",
     Reason.ALTERED: "mark again with the task that was handed out",
     Reason.VERSION: "mark again with a vrts that the task names",
     Reason.HIDDEN: "mark again with the staff's task, in which the hidden checks are",
@@ -71,9 +79,13 @@ def doubts(
     if ALL in settled:
         return ()
     found = dict.fromkeys(_found(result, untimed))
+    return in_order(doubt for doubt in found if doubt.reason.value not in settled)
+
+
+def in_order(found: Iterable[Doubt]) -> tuple[Doubt, ...]:
+    """Return doubts, the most urgent first."""
     order = {reason: place for place, reason in enumerate(Reason)}
-    kept = (doubt for doubt in found if doubt.reason.value not in settled)
-    return tuple(sorted(kept, key=lambda doubt: order[doubt.reason]))
+    return tuple(sorted(found, key=lambda doubt: order[doubt.reason]))
 
 
 def _found(result: Result, untimed: str) -> Iterator[Doubt]:

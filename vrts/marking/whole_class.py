@@ -12,8 +12,7 @@ from vrts.check.task.late_rules import Keep
 from vrts.check.task.task import Task
 from vrts.marking.about import NAME as ABOUT
 from vrts.marking.about import from_bytes as about_from_bytes
-from vrts.marking.by_hand.override_text import load_overrides
-from vrts.marking.by_hand.overrides import NONE, lapses, with_change
+from vrts.marking.by_hand.by_hand import NOBODY, all_lapses, load_by_hand, with_by_hand
 from vrts.marking.class_marks import (
     Mark,
     class_row,
@@ -132,7 +131,7 @@ def mark_whole_class(
             raise CannotRead(f"nothing was handed in: {what} no program", remarks)
         names = [row.identifier for row in found]
         changes = (
-            NONE if layout is None else load_overrides(layout.overrides, names, task.mark.total)
+            NOBODY if layout is None else load_by_hand(layout, names, task.mark.total, task.late)
         )
         begun(names)
         done: dict[str, Done] = {}
@@ -141,7 +140,7 @@ def mark_whole_class(
         for one in mark(tuple(entries(tree, found)), layout, how.backend):
             name = one.entry.identifier
             done[name] = one
-            rows[name] = with_change(class_row(by_name[name], one.result, task.late), changes)
+            rows[name] = with_by_hand(class_row(by_name[name], one.result, task.late), changes)
             told(one, rows[name])
     if key is None:
         written = write_rows(found, download=name_of(submissions))
@@ -163,7 +162,7 @@ def mark_whole_class(
             *nothing_late(task.late, found),
             *said,
             *changes.diagnostics,
-            *lapses(marked, changes),
+            *all_lapses(marked, changes),
         ),
         "" if table is not None else sha256(written).hexdigest(),
         {row.identifier: row.group for row in found},

@@ -16,7 +16,8 @@ from vrts.base.source import SourceFile
 from vrts.check.task.late_rules import LateRules
 from vrts.marking.appeals.evidence import Contents
 from vrts.marking.appeals.evidence_readme import readme
-from vrts.marking.by_hand.overrides import read_overrides, with_overrides
+from vrts.marking.by_hand.by_hand import ByHand, rows_by_hand
+from vrts.marking.by_hand.overrides import read_overrides
 from vrts.marking.exports.autograders.classroom50 import scores
 from vrts.marking.exports.autograders.gradescope import results as gradescope
 from vrts.marking.exports.autograders.prairielearn import results as prairielearn
@@ -66,7 +67,7 @@ def test_lateness_and_changes_by_hand_end_at_the_total() -> None:
     assert read_overrides(more, ["anna"]).wrong
     found = read_overrides(more, ["anna"], Fraction(20))
     assert not found.wrong
-    (changed,) = with_overrides(Class("vrts.class/1", "Lab", (of(OF_20),)), found).rows
+    (changed,) = rows_by_hand(Class("vrts.class/1", "Lab", (of(OF_20),)), ByHand(found)).rows
     assert changed.final == 20
     (step,) = steps(changed)
     assert (step.points, step.sentence) == (3, "seen (+12, in tenths from 0 to 20)")

@@ -19,6 +19,7 @@ from vrts.marking.result import Kind
 from vrts.marking.row import (
     Change,
     Class,
+    Decided,
     HandedIn,
     Lateness,
     Row,
@@ -28,7 +29,7 @@ from vrts.marking.row import (
     row_of,
 )
 from vrts.marking.row_words import row_words
-from vrts.marking.unsafe import ALL, REASONS, REMEDIES, Reason
+from vrts.marking.unsafe import ALL, OF_GRADERS, REASONS, REMEDIES, Reason
 
 LATE = Lateness(0, "0", UNTIMED, review=True, untimed=True)
 VERSION = "this is vrts 0.1.0: this mark does not count"
@@ -148,10 +149,16 @@ def test_students_learn_of_what_is_theirs_to_know() -> None:
     assert "not sure" not in told
     assert told.count("A person will look at this mark: it may still change.") == 1
     assert "8.5" not in told
-    for reason in set(Reason) - {Reason.LATE, Reason.UNCHECKED, Reason.HIDDEN}:
+    for reason in set(Reason) - {Reason.LATE, Reason.UNCHECKED, Reason.HIDDEN} - OF_GRADERS:
         row = plain_row("ben", "", **MADE_SO[reason])
         assert unsure(row) == [LOOKED_AT], reason
     assert unsure(plain_row()) == []
+    result = plain_result("anna")
+    for decided in (Decided(conflicts=("secret",)), Decided(lapsed=("secret",))):
+        row = row_of(result, Student(), HandedIn(), decided=decided)
+        assert unsure(row) == [LOOKED_AT]
+        mark = Change("0", "so", "RH", "2026-11-30", (ALL,))
+        assert reasons(row_of(result, Student(), HandedIn(), change=mark, decided=decided))
 
 
 def test_what_an_earlier_vrts_wrote_is_read_and_judged_now() -> None:

@@ -85,8 +85,9 @@ def command(
     crashed, only `--mark` decides. A decision is about this program: it lapses with another one.
     """
     from vrts.marking.appeals.written import read_written
+    from vrts.marking.by_hand.by_hand import all_lapses, with_by_hand
     from vrts.marking.by_hand.override_text import add_overrides
-    from vrts.marking.by_hand.overrides import Override, lapses, program_of, with_change
+    from vrts.marking.by_hand.overrides import Override, program_of
     from vrts.report.plain import one_line
 
     if (delta is None) == (mark is None):
@@ -94,13 +95,16 @@ def command(
     written = read_written(folder)
     row = written.row(student)
     today = day or date.today().isoformat()
-    decided = _decided(with_change(row, written.overrides()), settles, delta)
+    by_hand = written.by_hand()
+    row = with_by_hand(row, by_hand)
+    decided = _decided(row, settles, delta)
     program = program_of(row.result) if decided or mark is not None else ""
     added = Override(row.id, delta, mark, reason, who, today, decided, program)
     overrides = add_overrides(written.layout.overrides, [added], written.known, written.rows.total)
+    by_hand = by_hand._replace(overrides=overrides)
     show_diagnostics(overrides.diagnostics, color)
-    after = with_change(row, overrides)
-    show_diagnostics(lapses([after], overrides), color)
+    after = with_by_hand(row, by_hand)
+    show_diagnostics(all_lapses([after], by_hand), color)
     out(f"{row.id}: {_mark(row)} until now, {_mark(after)} when the class is marked again")
     for doubt in after.unsafe:
         out(f"still unsafe: {doubt.reason.value}: {one_line(doubt.sentence)}")
@@ -109,7 +113,10 @@ def command(
 
 def _decided(row: "Row", settles: tuple[str, ...], delta: Fraction | None) -> tuple[str, ...]:
     """Return the reasons that are decided; only those can be that the mark has now."""
-    there = tuple(dict.fromkeys(doubt.reason.value for doubt in row.unsafe))
+    from vrts.marking.unsafe import OF_GRADERS
+
+    held = [doubt.reason for doubt in row.unsafe]
+    there = tuple(dict.fromkeys(one.value for one in held if one not in OF_GRADERS))
     if settles and delta is not None and row.result.mark is None:
         fail(
             f"`{row.id}` has no mark ({row.result.kind.value}), so `--delta` cannot settle it",
@@ -118,6 +125,8 @@ def _decided(row: "Row", settles: tuple[str, ...], delta: Fraction | None) -> tu
     lacking = [reason for reason in settles if reason not in (*there, ALL)]
     if lacking or (settles and not there):
         now = f"it is for {', '.join(there)}" if there else "it is safe now"
+        if held and not there:
+            now = "graders have to settle it, with `vrts grade decisions`"
         fail(f"the mark of `{row.id}` is not unsafe for this reason: {now}")
     return there if ALL in settles else settles
 

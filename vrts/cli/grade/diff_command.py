@@ -13,7 +13,7 @@ from vrts.cli.shared.options import color_option, form_option
 
 if TYPE_CHECKING:
     from vrts.marking.appeals.moves import Diff
-    from vrts.marking.by_hand.overrides import Overrides
+    from vrts.marking.by_hand.by_hand import ByHand
     from vrts.marking.row import Class
 
 EPILOG = """\b
@@ -57,22 +57,23 @@ def command(
 
     before, after = _rows(old), _rows(new)
     known = [row.id for row in after.rows]
-    overrides = _overrides(new, known)
-    if overrides is not None:
-        from vrts.marking.by_hand.overrides import lapses, with_overrides
+    by_hand = _by_hand(new, after)
+    if by_hand is not None:
+        from vrts.marking.by_hand.by_hand import all_lapses, rows_by_hand
 
-        show_diagnostics(overrides.diagnostics, color)
-        after = with_overrides(after, overrides)
-        show_diagnostics(lapses(after.rows, overrides), color)
+        show_diagnostics(by_hand.diagnostics, color)
+        after = rows_by_hand(after, by_hand)
+        show_diagnostics(all_lapses(after.rows, by_hand), color)
         changed = {row.id for row in before.rows if row.change is not None}
-        lacking = sorted(changed & set(known) - set(overrides.changes))
+        decided = {row.id for row in after.rows if row.change or row.decided}
+        lacking = sorted(changed & set(known) - decided)
         if lacking:
             warn(f"note: {len(lacking)} changed by hand in OLD and not in NEW, as `{lacking[0]}`")
     found = diff(before, after)
     out(_json(found) if form == "json" else diff_text(found))
     lowered = any(move.falls or move.new is None for move in found.moves)
     if never_lower:
-        if overrides is None:
+        if by_hand is None:
             fail("with `--never-lower` NEW is a folder that `vrts grade` wrote")
         _raise(found, after, new, who or getpass.getuser())
         lowered = any(move.new is None for move in found.moves)
@@ -86,12 +87,17 @@ def _rows(place: Path) -> "Class":
     return read_class(Layout(place).results if place.is_dir() else place, place)
 
 
-def _overrides(place: Path, known: list[str]) -> "Overrides | None":
-    """Return the changes by hand of a folder; None for a file."""
-    from vrts.marking.by_hand.override_text import load_overrides
+def _by_hand(place: Path, after: "Class") -> "ByHand | None":
+    """Return what is decided by hand in a folder; None for a file."""
+    from vrts.marking.appeals.written import late_rules
+    from vrts.marking.by_hand.by_hand import load_by_hand
     from vrts.marking.layout import Layout
 
-    return load_overrides(Layout(place).overrides, known) if place.is_dir() else None
+    if not place.is_dir():
+        return None
+    layout = Layout(place)
+    known = [row.id for row in after.rows]
+    return load_by_hand(layout, known, after.total, late_rules(layout))
 
 
 def _raise(found: "Diff", after: "Class", new: Path, who: str) -> None:

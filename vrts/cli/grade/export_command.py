@@ -131,19 +131,16 @@ def command(
     again, from OUT/staff/names.csv. All other files stay without names.
     """
     from vrts.marking.appeals.written import read_written
-    from vrts.marking.by_hand.overrides import lapses, with_overrides
+    from vrts.marking.by_hand.by_hand import all_lapses, rows_by_hand
     from vrts.marking.exports.autograders.classroom50 import from_environment
     from vrts.marking.exports.earlier_marks import with_times_judged
     from vrts.marking.exports.given import Options
-    from vrts.pipeline.refused import Refused
 
     if decimal is not None and not set(names) & set(WITH_DECIMALS):
         fail("`--decimal` is for the formats csv, moodle and canvas: the others have their own way")
     written = read_written(folder)
-    overrides = written.overrides()
-    show_diagnostics(overrides.diagnostics, color)
-    if overrides.wrong:
-        raise Refused(())
+    by_hand = written.by_hand()
+    show_diagnostics(by_hand.diagnostics, color)
     options = Options(
         given_page(fill),
         column,
@@ -157,8 +154,8 @@ def command(
         frozenset(despite),
     )
     judged, said = with_times_judged(written.rows, written.about.place)
-    rows = with_overrides(judged, overrides)
-    show_diagnostics((*said, *lapses(rows.rows, overrides)), color)
+    rows = rows_by_hand(judged, by_hand)
+    show_diagnostics((*said, *all_lapses(rows.rows, by_hand)), color)
     export(names, rows, written.layout, options, color, target)
 
 

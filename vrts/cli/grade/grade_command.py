@@ -18,6 +18,10 @@ SUBCOMMANDS = {
     "desk": "go through a marked class on one page",
     "session": "mark sessions of the live server",
 }
+ROOMS = {
+    **dict.fromkeys(("plan", "run", "merge"), "machines"),
+    **dict.fromkeys(("evidence", "reproduce"), "appeals"),
+}
 MARK = "mark"
 SESSION = "session"
 SECTIONS = {"Commands": {MARK: "mark submissions by a task", **SUBCOMMANDS}}
@@ -28,6 +32,7 @@ class GradeGroup(LazyGroup):
 
     folder = "vrts.cli.grade"
     sections = SECTIONS
+    rooms = ROOMS
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         """Put in the name of the subcommand that is left out."""

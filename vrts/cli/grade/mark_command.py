@@ -340,13 +340,18 @@ def write_lists(
     """Write what there is about a class as a whole, and what students get; tell unsafe marks."""
     import msgspec
 
+    from vrts.marking.about import Late
     from vrts.marking.class_files import write_class, write_overview
     from vrts.marking.exports.unsafe_marks import after_marking
     from vrts.marking.exports.write import write_feedback
     from vrts.marking.similarity.files import compare_class
 
+    assert marker.whole.task is not None
     about = msgspec.structs.replace(
-        about, finished=datetime.now(UTC), intake_sha256=marked.intake_sha256
+        about,
+        finished=datetime.now(UTC),
+        intake_sha256=marked.intake_sha256,
+        late=Late.of(marker.whole.task.late),
     )
     write_class(marked.rows, about, layout)
     write_feedback(marked.rows, layout)

@@ -8,9 +8,10 @@ from vrts.cli.shared.options import Option, file_option
 
 ALL = "all"  # in place of reasons
 DESPITE = (
-    *("crashed", "resource", "ambiguous", "unread", "altered", "version", "hidden"),
-    *("unchecked", "undetermined", "late", ALL),
+    *("crashed", "resource", "ambiguous", "unread", "conflict", "lapsed", "altered", "version"),
+    *("hidden", "unchecked", "undetermined", "late", ALL),
 )  # a test holds them against the reasons, which are imported when they are used
+SETTLED = tuple(name for name in DESPITE if name not in ("conflict", "lapsed"))  # by `change`
 
 results_option = file_option("-o", "--output", "folder", help="Folder for results.")
 marking_option = file_option(
@@ -69,7 +70,7 @@ def settles_option() -> Option[Any]:
     """Return `--settles`."""
     return click.option(
         "--settles",
-        type=click.Choice(DESPITE),
+        type=click.Choice(SETTLED),
         multiple=True,
         metavar="REASON",
         help="What made the mark unsafe and is decided now; `--mark` settles all. Repeatable.",

@@ -95,8 +95,7 @@ def command(
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before numpy: threads do not fork
     from vrts.live.logs.class_sessions import sessions_in
     from vrts.live.logs.session_marker import SessionMarker
-    from vrts.marking.by_hand.override_text import load_overrides
-    from vrts.marking.by_hand.overrides import lapses
+    from vrts.marking.by_hand.by_hand import all_lapses, load_by_hand
     from vrts.marking.exports.unsafe_marks import after_marking
     from vrts.marking.layout import Layout
     from vrts.marking.submission.one import Wanted
@@ -124,8 +123,8 @@ def command(
     show_diagnostics(marker.whole.stamps, color)
     if layout is not None:
         _write(rows, about, layout)
-        changes = load_overrides(layout.overrides, [row.id for row in rows.rows], rows.total)
-        told = (*lapses(rows.rows, changes), *after_marking(rows, layout.root))
+        changes = load_by_hand(layout, [row.id for row in rows.rows], rows.total)
+        told = (*all_lapses(rows.rows, changes), *after_marking(rows, layout.root))
         show_diagnostics(told, color)
     if form == "json":
         from vrts.marking.row import class_to_bytes

@@ -55,6 +55,7 @@ class LazyGroup(Group):
 
     folder: ClassVar[str]  # package of the files NAME_command.py
     sections: ClassVar[Mapping[str, Mapping[str, str]]]  # heading: name: what it does
+    rooms: ClassVar[Mapping[str, str]] = {}  # of commands whose file lies a folder deeper
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         """Return the names of all commands, section by section."""
@@ -64,7 +65,8 @@ class LazyGroup(Group):
         """Import and return a command."""
         if name not in self.list_commands(ctx):
             return None
-        return importlib.import_module(f"{self.folder}.{name}_command").command
+        place = f"{self.folder}.{self.rooms[name]}" if name in self.rooms else self.folder
+        return importlib.import_module(f"{place}.{name}_command").command
 
     def shell_complete(self, ctx: click.Context, incomplete: str) -> "list[CompletionItem]":
         """Return the commands without importing them, and options; or leave it to files."""

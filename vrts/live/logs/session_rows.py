@@ -6,8 +6,7 @@ from tempfile import TemporaryDirectory
 
 from vrts.live.logs.class_sessions import NOTHING, RoomSession
 from vrts.live.logs.session_marker import SessionMarker, session_to_bytes
-from vrts.marking.by_hand.override_text import load_overrides
-from vrts.marking.by_hand.overrides import NONE, with_change
+from vrts.marking.by_hand.by_hand import NOBODY, load_by_hand, with_by_hand
 from vrts.marking.layout import Layout
 from vrts.marking.marking import Entry, mark_class
 from vrts.marking.result import Kind
@@ -43,7 +42,7 @@ def mark_sessions(
         Refused: The changes by hand have errors.
     """
     names = [room.identifier for room in rooms]
-    changes = NONE if layout is None else load_overrides(layout.overrides, names)
+    changes = NOBODY if layout is None else load_by_hand(layout, names)
     task = marker.whole.task
     assert task is not None
     by_name = {room.identifier: room for room in rooms}
@@ -56,7 +55,7 @@ def mark_sessions(
             late = None if task.late is None or not done.result.mark else UNJUDGED
             handed_in = HandedIn(room.origin, OF_SESSION)
             row = row_of(done.result, Student(name=room.name), handed_in, late)
-            yield with_change(row, changes), done.reused
+            yield with_by_hand(row, changes), done.reused
 
 
 def _entry(room: RoomSession) -> Entry:

@@ -20,6 +20,7 @@ TASK = "task.zip"
 ROW = "row.json"
 INTAKE = "intake.csv"
 CHANGES = "overrides.toml"
+DECISIONS = "decisions.jsonl"
 SUBMISSION, STAFF, STUDENT, OVER = "submission", "staff", "student", "over"  # folders
 
 SCHEMA = "vrts.evidence/1"

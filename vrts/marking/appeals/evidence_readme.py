@@ -3,6 +3,7 @@
 from vrts.marking.appeals.evidence import (
     CHANGES,
     CONTENTS,
+    DECISIONS,
     INTAKE,
     ROW,
     STAFF,
@@ -42,6 +43,7 @@ def readme(row: Row, contents: Contents) -> str:
         f"{ROW:24}whose it is, lateness, changes by hand, final mark",
         f"{INTAKE:24}the line of the table of hand-ins, if there is one",
         f"{CHANGES:24}the changes by hand, if there are any",
+        f"{DECISIONS:24}what graders decided about this student, if they did",
         f"{CONTENTS:24}versions, and the sha256 of every file",
         "",
         "To mark it again and compare:  vrts grade reproduce EVIDENCE.zip",

@@ -9,6 +9,7 @@ from vrts.check.task.manifest import sha256
 from vrts.marking.appeals.evidence import (
     CHANGES,
     CONTENTS,
+    DECISIONS,
     INTAKE,
     LARGEST_ALL,
     LARGEST_CONTENTS,
@@ -27,6 +28,7 @@ from vrts.marking.appeals.evidence import (
     damaged,
 )
 from vrts.marking.appeals.proof import PROOF
+from vrts.marking.by_hand.graded import undecided
 from vrts.marking.layout import LOST, RESULT
 from vrts.marking.result import Damaged, Result, decoded, from_bytes
 from vrts.marking.row import Row
@@ -35,7 +37,7 @@ from vrts.pipeline.files import CannotRead
 
 _FIXED = frozenset(
     (
-        *(CONTENTS, README, TASK, ROW, INTAKE, CHANGES, PROOF),
+        *(CONTENTS, README, TASK, ROW, INTAKE, CHANGES, DECISIONS, PROOF),
         *(f"{who}/{name}" for who in (STAFF, STUDENT) for name in (RESULT, REPORT, RECORDING)),
         *(f"{STAFF}/{name}" for name in (FAULT, LOST)),
     )
@@ -145,7 +147,7 @@ def _agree(
     contents: Contents, row: Row, staff: Result, student: Result, files: dict[str, bytes]
 ) -> None:
     """Refuse evidence whose parts are about different things."""
-    if len({contents.id, row.id, staff.id, student.id}) != 1 or row.result != staff:
+    if len({contents.id, row.id, staff.id, student.id}) != 1 or undecided(row).result != staff:
         raise altered("its parts are about different results")
     place = contents.place
     named = (place.task, place.scene, place.scenario, place.lab, contents.program)

@@ -17,6 +17,7 @@ from vrts.marking.about import About
 from vrts.marking.appeals.evidence import (
     CHANGES,
     CONTENTS,
+    DECISIONS,
     INTAKE,
     MODE,
     README,
@@ -32,11 +33,13 @@ from vrts.marking.appeals.proof import PROOF, certificate_for
 from vrts.marking.appeals.task_bytes import OTHER_TASK, task_files
 from vrts.marking.appeals.unpacked import unpacked_place
 from vrts.marking.appeals.written import Written, no_marking
+from vrts.marking.by_hand.by_hand import with_by_hand
+from vrts.marking.by_hand.decisions.about_one import about_student
+from vrts.marking.by_hand.graded import undecided
 from vrts.marking.by_hand.override_text import override_text
-from vrts.marking.by_hand.overrides import change_of
 from vrts.marking.layout import LOST, RESULT
 from vrts.marking.result import SCORING, Damaged, Result, from_bytes
-from vrts.marking.row import Row, final_mark, row_of
+from vrts.marking.row import Row
 from vrts.marking.submission.marker import Marker
 from vrts.marking.submission.report_files import FAULT, RECORDING, REPORT
 from vrts.pipeline.refused import Refused
@@ -60,7 +63,8 @@ def pack_evidence(
         CannotRead: A file is not there.
         Refused: There is no such student, or task or program are not those that were marked.
     """
-    row = _with_changes(written, written.row(student))
+    by_hand = written.by_hand()
+    row = undecided(written.row(student))
     files = _results(written, row)
     place = written.about.place
     if task is not None:
@@ -84,9 +88,13 @@ def pack_evidence(
     line = intake_row(written, row)
     if line is not None:
         files[INTAKE] = line
-    made = written.overrides().changes.get(row.id, ())
+    made = by_hand.overrides.changes.get(row.id, ())
     if made:
         files[CHANGES] = "\n".join(map(override_text, made)).encode()
+    said = about_student(by_hand.ledger, row.id)
+    if said:
+        files[DECISIONS] = said
+    row = with_by_hand(row, by_hand)
     files[ROW] = msgspec.json.format(msgspec.json.encode(row), indent=1) + b"\n"
     about = written.about
     contents = Contents(
@@ -125,13 +133,6 @@ def versions() -> dict[str, str]:
         except PackageNotFoundError:
             continue  # not needed here
     return found
-
-
-def _with_changes(written: Written, row: Row) -> Row:
-    """Return a row with the changes by hand as they are now."""
-    before = final_mark(row.result.exact_mark, row.late, None, row.result.exact_total)
-    change = change_of(before, written.overrides().changes.get(row.id, ()), row.result)
-    return row_of(row.result, row.student, row.handed_in, row.late, change)
 
 
 def _results(written: Written, row: Row) -> dict[str, bytes]:

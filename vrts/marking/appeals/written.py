@@ -1,14 +1,14 @@
-"""What an earlier marking has written: rows, how it was marked, and changes by hand."""
+"""What an earlier marking has written: rows, how it was marked, and what is decided by hand."""
 
 from difflib import get_close_matches
 from pathlib import Path
 from typing import NamedTuple
 
 from vrts.base.diagnostic import Rule, error
+from vrts.check.task.late_rules import LateRules
 from vrts.marking import about
 from vrts.marking.about import About
-from vrts.marking.by_hand.override_text import load_overrides
-from vrts.marking.by_hand.overrides import Overrides
+from vrts.marking.by_hand.by_hand import ByHand, load_by_hand
 from vrts.marking.layout import Layout
 from vrts.marking.privacy.pseudonyms import read_names, with_names
 from vrts.marking.result import Damaged
@@ -34,13 +34,14 @@ class Written(NamedTuple):
         """The identifiers of the class."""
         return tuple(row.id for row in self.rows.rows)
 
-    def overrides(self) -> Overrides:
-        """Return the changes by hand as they are now.
+    def by_hand(self) -> ByHand:
+        """Return what is decided by hand as it is now.
 
         Raises:
-            Refused: The file has errors.
+            Refused: A file has errors.
         """
-        return load_overrides(self.layout.overrides, self.known, self.rows.total)
+        late = None if self.about.late is None else self.about.late.rules
+        return load_by_hand(self.layout, self.known, self.rows.total, late)
 
     def row(self, wanted: str) -> Row:
         """Return the row of a student, by id, or by anything else that only one of them has.
@@ -85,6 +86,15 @@ def read_written(folder: Path) -> Written:
     if how.finished is None:
         raise no_marking(folder, "it goes on, or was interrupted: the same call goes on")
     return Written(layout, read_class(layout.results, folder), how)
+
+
+def late_rules(layout: Layout) -> LateRules | None:
+    """Return what lateness cost in a marking; None: nothing, or it does not tell."""
+    try:
+        told = about.from_bytes(read_bytes(layout.staff / about.NAME)).late
+    except (CannotRead, Damaged):
+        return None
+    return None if told is None else told.rules
 
 
 def read_class(path: Path, shown: Path | None = None) -> Class:

@@ -15,15 +15,13 @@ from fractions import Fraction
 from types import MappingProxyType
 from typing import NamedTuple
 
-import msgspec
-
 from vrts.base.diagnostic import Diagnostic, Label, Rule, warning
 from vrts.base.source import SourceFile, Span
 from vrts.base.toml.reading import Problems, Table, read_toml
 from vrts.check.rules.scheme import TOTAL
 from vrts.marking.result import Result
-from vrts.marking.row import Change, Class, Row, final_mark, row_of
-from vrts.marking.unsafe import ALL, REASONS
+from vrts.marking.row import Change, Row
+from vrts.marking.unsafe import ALL, SETTLED
 
 CHANGE = Rule("V770", "change-by-hand")
 UNKNOWN_STUDENT = Rule("V771", "unknown-student")
@@ -108,12 +106,12 @@ def _override(
     program = _program(table, problems)
     settles = table.strings("settles") or ()
     for text in settles:
-        if text not in (*REASONS, ALL):
+        if text not in (*SETTLED, ALL):
             problems.error(
                 CHANGE,
                 f"`{text}` is no reason why a mark is unsafe",
                 table.value_span("settles"),
-                help=(f"write one of {', '.join(REASONS)}, or {ALL}",),
+                help=(f"write one of {', '.join(SETTLED)}, or {ALL}",),
             )
     table.finish()
     given = [key for key in ("delta", "mark") if key in table]
@@ -206,11 +204,11 @@ def change_of(
         "; ".join(override.reason for override in made),
         ", ".join(dict.fromkeys(override.who for override in made)),
         made[-1].date,
-        () if about is None else _settled(made, about),
+        () if about is None else settled_by(made, about),
     )
 
 
-def _settled(made: Iterable[Override], result: Result) -> tuple[str, ...]:
+def settled_by(made: Iterable[Override], result: Result) -> tuple[str, ...]:
     """Return what changes decide of what made a mark unsafe: a mark in its place, everything."""
     held = (one for one in made if not _flaw(one, result))
     found = (text for one in held for text in ((ALL,) if one.mark is not None else one.settles))
@@ -258,16 +256,3 @@ def _lapsed(row: Row, made: Sequence[Override]) -> Iterator[tuple[str, str]]:
             yield f"the mark of {one.date} by {one.who} counts, and settles nothing", why
         elif why and (open_now.intersection(one.settles) or (open_now and ALL in one.settles)):
             yield f"the change of {one.date} by {one.who} settles nothing", why
-
-
-def with_overrides(rows: Class, overrides: Overrides) -> Class:
-    """Return the rows of a class with these changes by hand, and no others."""
-    changed = tuple(with_change(row, overrides) for row in rows.rows)
-    return msgspec.structs.replace(rows, rows=changed)
-
-
-def with_change(row: Row, overrides: Overrides) -> Row:
-    """Return a row with the changes by hand that are for it, and no others."""
-    after_lateness = final_mark(row.result.exact_mark, row.late, None, row.result.exact_total)
-    change = change_of(after_lateness, overrides.changes.get(row.id, ()), row.result)
-    return row_of(row.result, row.student, row.handed_in, row.late, change)

@@ -7,6 +7,7 @@ nothing hidden is.
 from fractions import Fraction
 from typing import NamedTuple
 
+from vrts.marking.by_hand.decisions.words import due_words
 from vrts.marking.exports.given import Returned
 from vrts.marking.exports.numbers import decimal
 from vrts.marking.exports.steps import steps
@@ -19,6 +20,7 @@ from vrts.report.plain import one_line, plain_text
 NAME = "feedback.txt"
 FINAL = "Final mark:"  # begins every comment
 MOST_LOSSES = 20
+SAID = "From your graders"
 NOT_SHOWN = "checks that are not shown here"
 OF_STUDENTS = frozenset({Reason.LATE, Reason.UNCHECKED, Reason.HIDDEN})  # in these words
 LOOKED_AT = "A person will look at this mark: it may still change."  # why may be hidden
@@ -39,6 +41,7 @@ class Words(NamedTuple):
     mark: str  # a sentence
     made_of: tuple[Line, ...]  # how the mark came to be; empty where it is as computed
     losses: tuple[Line, ...]
+    said: tuple[str, ...]  # by graders
     remarks: tuple[str, ...]
 
 
@@ -50,6 +53,8 @@ def feedback_text(told: Returned) -> bytes:
         lines += ["", "How the mark came to be:", *_listed(words.made_of)]
     if words.losses:
         lines += ["", "What cost points:", *_listed(words.losses)]
+    if words.said:
+        lines += ["", f"{SAID}:", *(f"  {text}" for text in words.said)]
     if words.remarks:
         lines += ["", *words.remarks]
     return (plain_text("\n".join(lines)) + "\n").encode()
@@ -66,6 +71,8 @@ def feedback_html(told: Returned) -> str:
         if listed:
             items = (element("li", *_item(line)) for line in listed)
             parts += [element("p", heading), element("ul", *items)]
+    if words.said:
+        parts += [element("p", f"{SAID}:"), element("ul", *(element("li", t) for t in words.said))]
     parts += [element("p", prose(remark)) for remark in words.remarks]
     return joined(parts).replace("\n", " ").replace("\r", " ")
 
@@ -109,7 +116,30 @@ def _words(told: Returned) -> Words:
         remarks.append(LOOKED_AT)
     remarks += [text for text in unsure(row) if text not in remarks]
     remarks += [f"This mark does not count: {one_line(stamp)}." for stamp in public.stamps]
-    return Words(one_line(public.task.title), mark, _made_of(told), losses, tuple(remarks))
+    title = one_line(public.task.title)
+    return Words(title, mark, _made_of(told), losses, said_by_graders(row), tuple(remarks))
+
+
+def said_by_graders(row: Row) -> tuple[str, ...]:
+    """Return what graders have written for a student: comments, items with their places, a date."""
+    decided = row.decided
+    if decided is None:
+        return ()
+    found = [f"{place_of(c.line, c.time_s)}{one_line(c.text)} ({c.who})" for c in decided.comments]
+    for item in decided.items:
+        places = [place_of(line, time_s).removesuffix(": ") for line, time_s in item.places]
+        where = f" ({'; '.join(places)})" if places else ""
+        found.append(f"{one_line(item.title)}: {_signed(Fraction(item.points))} points{where}")
+    if decided.due:
+        found.append(f"You had time until {due_words(decided.due)}.")
+    return tuple(found)
+
+
+def place_of(line: int | None, time_s: float | None) -> str:
+    """Return where a comment belongs, before what it says; "" where it is about the whole."""
+    found = [] if line is None else [f"line {line}"]
+    found += [] if time_s is None else [f"at {time_s:.2f} s"]
+    return f"{', '.join(found)}: " if found else ""
 
 
 def _made_of(told: Returned) -> tuple[Line, ...]:

@@ -7,6 +7,7 @@ reached is `skipped`.
 
 from xml.etree.ElementTree import Element, SubElement, indent, tostring
 
+from vrts.marking.exports.feedback import said_by_graders
 from vrts.marking.exports.given import Given, Options, Product
 from vrts.marking.exports.numbers import decimal, points
 from vrts.marking.result import Check, Kind
@@ -51,6 +52,7 @@ def _suite(root: Element, row: Row) -> Element:
         ("file", "" if result.program is None else one_line(bare_name(result.program.name))),
         ("key", result.key),
         ("unsafe", ", ".join(dict.fromkeys(doubt.reason.value for doubt in row.unsafe))),
+        ("graders", "; ".join(said_by_graders(row))),
     ):
         SubElement(properties, "property", name=name, value=value)
     took = result.metrics.duration_s

@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from fractions import Fraction
 
+from vrts.marking.exports.feedback import place_of
 from vrts.marking.exports.given import Given, Options, Product
 from vrts.marking.exports.numbers import decimal
 from vrts.marking.intake.tables.table_text import BOM, field
@@ -36,6 +37,8 @@ COLUMNS = (
     "contacts",
     "key",
     "unsafe",  # behind all else: some read the columns by place
+    "items",
+    "comments",
 )
 
 
@@ -100,3 +103,7 @@ def _fields(row: Row, point: str, delimiter: str) -> Iterator[str]:
     yield "" if result.metrics.contacts is None else str(result.metrics.contacts)
     yield result.key
     yield text("; ".join(f"{doubt.reason.value}: {doubt.sentence}" for doubt in row.unsafe))
+    items = () if row.decided is None else row.decided.items
+    told = () if row.decided is None else row.decided.comments
+    yield text("; ".join(f"{item.title} {number(Fraction(item.points))}" for item in items))
+    yield text("; ".join(f"{place_of(c.line, c.time_s)}{c.text}" for c in told))

@@ -7,6 +7,7 @@ from vrts.marking.exports.numbers import decimal
 from vrts.marking.row import Row, final_mark
 
 NOTHING = Fraction(0)
+ROUNDED = "as marks are written"
 
 
 class Step(NamedTuple):
@@ -28,13 +29,20 @@ def steps(row: Row) -> tuple[Step, ...]:
         return ()
     before = result.exact_mark or NOTHING
     found: list[Step] = []
+    made = () if row.decided is None else row.decided.steps
     if row.late is not None and not row.late.review:  # what is not known yet changes nothing
         after = final
         if row.change is not None:
             after = final_mark(result.exact_mark, row.late, None, result.exact_total) or NOTHING
         found.append(Step("lateness", after - before, row.late.sentence))
         before = after
-    if row.change is not None:
+    for step in made:
+        points = Fraction(step.delta)
+        found.append(Step(step.title, points, step.sentence))
+        before += points
+    if made and before != final:
+        found.append(Step(ROUNDED, final - before, f"marks are tenths from 0 to {_full(row)}"))
+    if row.change is not None and not made:
         points, written = final - before, Fraction(row.change.delta)
         sentence = row.change.reason
         if points != written:

@@ -9,7 +9,7 @@ import msgspec
 
 from vrts.base.diagnostic import Diagnostic, Rule, error, warning
 from vrts.marking.row import Class, Row, counted
-from vrts.marking.unsafe import ALL, REMEDIES, Reason
+from vrts.marking.unsafe import ALL, OF_GRADERS, REMEDIES, Reason
 from vrts.report.plain import one_line
 
 UNSAFE = Rule("V753", "unsafe-mark")
@@ -74,7 +74,7 @@ def after_marking(rows: Class, folder: Path = OUT) -> tuple[Diagnostic, ...]:
         return ()
     note = "they come first in every list; an export keeps marks back while there are any"
     headline = f"{_count(found, rows)}: {_names(found)}"
-    help_ = (*_remedies(found), _by_hand(found[0].row, folder))
+    help_ = (*_remedies(found), *_by_hand(found, folder))
     return (warning(UNSAFE, headline, notes=(note,), help=help_),)
 
 
@@ -99,7 +99,7 @@ def refusal(
     wanted = [reason for reason in Reason if reason in there or reason.value in despite]
     typed = " ".join(f"--despite {reason.value}" for reason in wanted)
     as_they_are = f"or write them as they are: `{typed}`, or `--despite {ALL}`"
-    help_ = (*_remedies(found), _by_hand(found[0].row, folder), as_they_are)
+    help_ = (*_remedies(found), *_by_hand(found, folder), as_they_are)
     return (error(UNSAFE, headline, help=help_),)
 
 
@@ -137,13 +137,17 @@ def _remedies(found: Sequence[Unsafe]) -> list[str]:
     return ways
 
 
-def _by_hand(row: Row, folder: Path) -> str:
-    """Return how to decide a mark by hand, as it can be typed."""
+def _by_hand(found: Sequence[Unsafe], folder: Path) -> list[str]:
+    """Return how to decide a mark by hand, as it can be typed; nothing where graders have to."""
+    held = [one for one in found if not OF_GRADERS.issuperset(one.reasons)]
+    if not held:
+        return []
+    row = held[0].row
     who, where = shlex.quote(one_line(row.id)), shlex.quote(str(folder))
     typed = f"`vrts grade change {who} --from {where} --mark N --reason WHY --who YOU`"
     if row.result.mark is None:
-        return f"or decide a mark by hand: {typed}"
-    reasons = dict.fromkeys(doubt.reason.value for doubt in row.unsafe)
-    settles = " ".join(f"--settles {reason}" for reason in reasons)
+        return [f"or decide a mark by hand: {typed}"]
+    reasons = dict.fromkeys(doubt.reason for doubt in row.unsafe)
+    settles = " ".join(f"--settles {one.value}" for one in reasons if one not in OF_GRADERS)
     as_it_is = f"`--delta 0 {settles}` in place of `--mark N`"
-    return f"or decide a mark by hand: {typed}, or with {as_it_is}"
+    return [f"or decide a mark by hand: {typed}, or with {as_it_is}"]

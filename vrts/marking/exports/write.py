@@ -5,6 +5,7 @@ from itertools import chain, islice
 from pathlib import Path
 
 from vrts.base.diagnostic import Diagnostic, Rule, error
+from vrts.marking.by_hand.excused import excused_result
 from vrts.marking.exports.feedback import NAME as FEEDBACK
 from vrts.marking.exports.feedback import feedback_text
 from vrts.marking.exports.formats import FORMATS
@@ -15,7 +16,7 @@ from vrts.marking.exports.unsafe_marks import closing, refusal, unsafe_rows, wit
 from vrts.marking.layout import RESULT, Layout, write_atomically
 from vrts.marking.privacy.pseudonyms import with_names
 from vrts.marking.result import Damaged, Result, from_bytes
-from vrts.marking.row import Class
+from vrts.marking.row import Class, Row
 from vrts.marking.submission.report_files import RECORDING, REPORT
 from vrts.pipeline.refused import Refused
 
@@ -129,7 +130,7 @@ def read_given(rows: Class, layout: Layout) -> Given:
     Raises:
         Refused: A student's own result is missing or damaged.
     """
-    public = {row.id: _public(layout, row.id) for row in rows.rows}
+    public = {row.id: _told(row, _public(layout, row.id)) for row in rows.rows}
 
     def pages(identifier: str) -> tuple[Page, ...]:
         home = layout.student(identifier)
@@ -137,6 +138,12 @@ def read_given(rows: Class, layout: Layout) -> Given:
         return tuple(Page(place.name, place.read_bytes()) for place in places if place.is_file())
 
     return Given(rows, public, pages)
+
+
+def _told(row: Row, public: Result) -> Result:
+    """Return a student's own result as graders have decided: nothing is asked of the excused."""
+    excused = "" if row.decided is None else row.decided.excused
+    return excused_result(public, excused) if excused else public
 
 
 def _public(layout: Layout, identifier: str) -> Result:

@@ -11,8 +11,8 @@ from tests.unit.marking.appeals.support import class_of, result, row
 from vrts.cli.main import vrts
 from vrts.marking.appeals.moves import diff
 from vrts.marking.appeals.moves_text import diff_text
+from vrts.marking.by_hand.by_hand import ByHand, rows_by_hand
 from vrts.marking.by_hand.override_text import load_overrides
-from vrts.marking.by_hand.overrides import with_overrides
 from vrts.marking.layout import Layout, write_atomically
 from vrts.marking.result import Kind, Named
 from vrts.marking.row import Change, Class, Lateness, class_to_bytes
@@ -125,7 +125,7 @@ def test_never_lower_gives_back_what_a_repair_has_taken(tmp_path: Path) -> None:
         "R. Huber",
         "never lowered after marking again by `Lab 1`",
     )
-    rows = with_overrides(repaired(), load_overrides(place, ("ben",)))
+    rows = rows_by_hand(repaired(), ByHand(load_overrides(place, ("ben",))))
     assert [row.final for row in rows.rows] == [8.5, 6.0, 9.0, 2.0, 1.0]
     before = place.read_bytes()
     again = call(old, new, "--never-lower")
@@ -141,7 +141,7 @@ def test_never_lower_reaches_the_old_mark_also_from_below_zero(tmp_path: Path) -
         b'[[change]]\nstudent="ben"\ndelta=-3\nreason="copied"\nwho="RH"\ndate="2026-11-30"\n',
     )
     call(old, new, "--never-lower")
-    rows = with_overrides(class_of(row("ben", 1.0)), load_overrides(place, ("ben",)))
+    rows = rows_by_hand(class_of(row("ben", 1.0)), ByHand(load_overrides(place, ("ben",))))
     assert rows.rows[0].final == 6.0
 
 

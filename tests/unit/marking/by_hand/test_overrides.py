@@ -7,6 +7,7 @@ import pytest
 
 from tests.unit.marking.appeals.support import class_of, row
 from vrts.base.source import SourceFile
+from vrts.marking.by_hand.by_hand import ByHand, rows_by_hand
 from vrts.marking.by_hand.override_text import add_overrides, load_overrides, override_text
 from vrts.marking.by_hand.overrides import (
     Override,
@@ -14,7 +15,6 @@ from vrts.marking.by_hand.overrides import (
     lapses,
     program_of,
     read_overrides,
-    with_overrides,
 )
 from vrts.marking.row import Lateness, Row
 from vrts.pipeline.refused import Refused
@@ -109,7 +109,7 @@ def test_changes_are_made_one_after_the_other_upon_the_mark_after_lateness() -> 
     )
     overrides = read_overrides(SourceFile("o.toml", text), ("anna", "ben", "cara"))
     assert not overrides.diagnostics
-    anna, ben, cara = with_overrides(rows, overrides).rows
+    anna, ben, cara = rows_by_hand(rows, ByHand(overrides)).rows
     assert anna.final == 9.3  # 8.5 - 1 = 7.5; to 9; 0.3 more
     assert anna.change is not None
     assert anna.change.delta == "9/5"
@@ -119,11 +119,11 @@ def test_changes_are_made_one_after_the_other_upon_the_mark_after_lateness() -> 
 
 
 def test_rows_lose_changes_that_are_not_in_the_file_any_more() -> None:
-    changed = with_overrides(
-        class_of(row("anna", 8.5)), read_overrides(SourceFile("o.toml", WHOLE), KNOWN)
+    changed = rows_by_hand(
+        class_of(row("anna", 8.5)), ByHand(read_overrides(SourceFile("o.toml", WHOLE), KNOWN))
     )
     assert changed.rows[0].final == 8.8
-    again = with_overrides(changed, read_overrides(SourceFile("o.toml", ""), KNOWN))
+    again = rows_by_hand(changed, ByHand(read_overrides(SourceFile("o.toml", ""), KNOWN)))
     assert (again.rows[0].final, again.rows[0].change) == (8.5, None)
 
 
@@ -180,7 +180,7 @@ def decided(
     )
     overrides = read_overrides(SourceFile("o.toml", text), KNOWN)
     assert not overrides.diagnostics
-    (changed,) = with_overrides(class_of(whole), overrides).rows
+    (changed,) = rows_by_hand(class_of(whole), ByHand(overrides)).rows
     return changed, [note for d in lapses([changed], overrides) for note in d.notes]
 
 

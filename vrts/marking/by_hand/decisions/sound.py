@@ -12,7 +12,7 @@ from vrts.marking.by_hand.decisions.records import (
     Finish,
     Item,
 )
-from vrts.marking.unsafe import ALL, REASONS
+from vrts.marking.unsafe import ALL, SETTLED
 
 MOST_POINTS = 1000
 FINEST = 1000  # points have three decimals
@@ -37,7 +37,7 @@ def _flaws(said: Decision) -> Iterable[str]:
             yield from _points(said.delta)
             yield from _mark(said.mark)
             for reason in said.settles:
-                if reason not in (*REASONS, ALL):
+                if reason not in (*SETTLED, ALL):
                     yield f"`{reason[:40]}` is no reason why a mark is unsafe"
         case Extend():
             if not is_time(said.due):

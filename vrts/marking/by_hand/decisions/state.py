@@ -1,7 +1,7 @@
 """What is decided about a class: a pure function of the graders' files, whatever their order."""
 
 from collections import defaultdict
-from collections.abc import Hashable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Hashable, Iterable, Iterator, Mapping, Sequence
 from datetime import datetime
 from fractions import Fraction
 from types import MappingProxyType
@@ -68,6 +68,78 @@ class State(NamedTuple):
         return self.students.get(student, NOTHING)
 
 
+class Prepared(NamedTuple):
+    """Decisions of a class, so that each student can be asked for."""
+
+    items: Mapping[str, ItemNow] = MappingProxyType({})
+    of_items: Mapping[str, Conflict] = MappingProxyType({})  # by id of the item
+    decides: tuple[Filed, ...] = ()
+    about: Mapping[str, Sequence[Filed]] = MappingProxyType({})  # records that count, by student
+    given: tuple[Filed, ...] = ()  # records that give items
+    dangling: tuple[tuple[str, str], ...] = ()  # records, and others they name that are not there
+    circular: tuple[str, ...] = ()  # undos in a circle, which have no effect
+
+    def of(self, student: str, program: str | None = None) -> OfStudent:
+        """Return what is decided about a student.
+
+        Args:
+            student: Id.
+            program: sha256 of the program that is marked now, or `none`; None: it is not looked.
+        """
+        if student not in self.about:
+            return NOTHING
+        found = _of_student(student, self.about[student], self.decides, program)
+        mine = dict.fromkeys(_item(one) for one in found.given)
+        return found._replace(
+            given=tuple(one for one in found.given if _item(one) in self.items),
+            conflicts=(
+                *found.conflicts,
+                *(self.of_items[item] for item in mine if item in self.of_items),
+            ),
+        )
+
+    @property
+    def without_item(self) -> tuple[Filed, ...]:
+        """Records that give an item which is not there."""
+        return tuple(one for one in self.given if _item(one) not in self.items)
+
+    def unknown(self, known: Collection[str]) -> tuple[tuple[Filed, str], ...]:
+        """Return records, and ids of students in them who are not in the class."""
+        return tuple(
+            (one, student)
+            for student in sorted(self.about)
+            if student not in known
+            for one in self.about[student]
+        )
+
+
+def prepared(ledger: Ledger) -> Prepared:
+    """Return the decisions in a ledger, ready to be asked for."""
+    counting, _, circular, dangling = counted(ledger.records)
+    decides = tuple(one for one in counting if isinstance(one.said, Decide))
+    items, differing = items_of(ledger.records, counting, decides)
+    about: dict[str, list[Filed]] = defaultdict(list)
+    for one in counting:
+        for student in dict.fromkeys(students_of(one.said)):
+            about[student].append(one)
+    return Prepared(
+        items,
+        {name: _of_item(name, sides) for name, sides in differing.items()},
+        decides,
+        dict(about),
+        tuple(one for one in counting if isinstance(one.said, Give)),
+        (*dangling, *_kept_nothing(ledger, decides)),
+        circular,
+    )
+
+
+def _kept_nothing(ledger: Ledger, decides: Iterable[Filed]) -> Iterator[tuple[str, str]]:
+    names = {one.name for one in ledger.records}
+    for one in decides:
+        if isinstance(one.said, Decide) and one.said.keep not in names:
+            yield one.name, one.said.keep
+
+
 def state_of(ledger: Ledger, programs: Mapping[str, str] | None = None) -> State:
     """Return what is decided.
 
@@ -76,36 +148,19 @@ def state_of(ledger: Ledger, programs: Mapping[str, str] | None = None) -> State
         programs: By id of the class, sha256 of the program that is marked now, or `none`. What is
             about another program lapses, and what is about nobody is told. None: it is not looked.
     """
-    counting = counted(ledger.records).counting
-    decides = [one for one in counting if isinstance(one.said, Decide)]
-    items, differing = items_of(ledger.records, counting, decides)
-    about: dict[str, list[Filed]] = defaultdict(list)
-    unknown: list[tuple[Filed, str]] = []
-    for one in counting:
-        for student in dict.fromkeys(students_of(one.said)):
-            if programs is not None and student not in programs:
-                unknown.append((one, student))
-            else:
-                about[student].append(one)
-    conflicts = [_of_item(name, sides) for name, sides in differing.items()]
-    of_items = {one.id.removeprefix(f"{ITEM} "): one for one in conflicts}
-    students: dict[str, OfStudent] = {}
-    for student in sorted(about):
-        now = None if programs is None else programs[student]
-        found = _of_student(student, about[student], decides, now)
-        mine = dict.fromkeys(_item(one) for one in found.given)
-        students[student] = found._replace(
-            given=tuple(one for one in found.given if _item(one) in items),
-            conflicts=(*found.conflicts, *(of_items[item] for item in mine if item in of_items)),
-        )
-        conflicts += found.conflicts
-    given = [one for one in counting if isinstance(one.said, Give)]
+    ready = prepared(ledger)
+    asked = sorted(ready.about if programs is None else ready.about.keys() & programs.keys())
+    students = {
+        student: ready.of(student, None if programs is None else programs[student])
+        for student in asked
+    }
+    of_students = (one for found in students.values() for one in found.conflicts)
     return State(
-        items,
+        ready.items,
         {student: found for student, found in students.items() if found != NOTHING},
-        tuple(conflicts),
-        tuple(unknown),
-        tuple(one for one in given if _item(one) not in items),
+        (*ready.of_items.values(), *(one for one in of_students if one.student)),
+        () if programs is None else ready.unknown(programs),
+        ready.without_item,
     )
 
 

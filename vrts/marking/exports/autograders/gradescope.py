@@ -8,7 +8,7 @@ total. Nothing of another student is in the file, and nothing that names a machi
 
 from fractions import Fraction
 
-from vrts.marking.exports.feedback import unsure
+from vrts.marking.exports.feedback import said_by_graders, unsure
 from vrts.marking.exports.given import Given, Options, Product, Returned, returned
 from vrts.marking.exports.numbers import decimal, number, points
 from vrts.marking.exports.steps import NOTHING, steps
@@ -120,5 +120,6 @@ def _output(told: Returned) -> str:
         lines.append(f"Hint: {one_line(public.hint)}")
     if public.more:
         lines.append(f"{public.more} more checks are made that are not shown.")
+    lines += said_by_graders(row)
     lines += unsure(row)
     return visible("\n".join(lines))
