@@ -4,7 +4,9 @@ import threading
 from collections import OrderedDict
 from typing import Final
 
-from vrts.desk.book.book import Book
+from msgspec.structs import replace
+
+from vrts.desk.book.book import Book, found_out
 from vrts.desk.book.shelf import sentence
 from vrts.desk.rows.row_view import source_of
 from vrts.desk.told import SourceTold
@@ -27,7 +29,7 @@ class Programs:
     def of(self, book: Book, student: str) -> tuple[SourceTold | None, str | None]:
         """Return a student's program, or None and why there is none to show."""
         row = book.by_id[student]
-        program = row.result.program
+        program = found_out(row).program
         if program is None:
             return None, None
         key = (student, program.sha256)
@@ -36,8 +38,9 @@ class Programs:
                 self._kept.move_to_end(key)
                 return self._kept[key], None
             opened = book.opened
+            whose = replace(row, result=found_out(row))
             try:
-                data = handed_in(Written(opened.layout, book.rows, opened.about), row, None)
+                data = handed_in(Written(opened.layout, book.rows, opened.about), whose, None)
             except (CannotRead, Refused) as problem:
                 return None, sentence(problem)
             if data is None:

@@ -11,6 +11,7 @@ import uvicorn
 
 from vrts.desk.again.marking import Marking
 from vrts.desk.desk import Desk
+from vrts.desk.following import follow, is_behind
 from vrts.desk.front.app import Way, application
 from vrts.desk.front.events import Events
 from vrts.desk.told import GraderTold
@@ -51,7 +52,9 @@ def serve_desk(
     with _listener(port) as listener:
         real = int(listener.getsockname()[1])
         token, events = new_token(), Events()
-        marking, upkeep = Marking(folder), Upkeep(lambda: None)
+        marking, upkeep = Marking(folder), Upkeep(lambda: follow(folder))
+        if is_behind(folder):  # a desk has died before it had written
+            upkeep.wanted()
         app = application(desk, marking, upkeep, Way(token, real), events)
         address = f"http://{HOST}:{real}/"
         say(f"the desk of {grader.name} for {shown.book.rows.title}: {address}?token={token}")

@@ -16,9 +16,10 @@ LONGEST_S: Final = 10.0  # that they may be behind while somebody decides withou
 class Upkeep:
     """One thread that writes, whenever it is wanted."""
 
-    def __init__(self, write: Callable[[], None], quiet_s: float = QUIET_S) -> None:
-        """Take what writes; it tells its own problems."""
+    def __init__(self, write: Callable[[], str], quiet_s: float = QUIET_S) -> None:
+        """Take what writes, and returns what went wrong."""
         self._write = write
+        self.problem = ""  # of the last time
         self._quiet_s = quiet_s
         self._wake = threading.Condition()
         self._wanted = 0  # how often, so far
@@ -59,6 +60,6 @@ class Upkeep:
                         break
                     waited += self._quiet_s
                 until = self._wanted
-            self._write()
+            self.problem = self._write()
             with self._wake:
                 self._written = until

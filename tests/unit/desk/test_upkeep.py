@@ -9,10 +9,11 @@ def test_many_decisions_are_written_once_and_the_last_before_it_ends() -> None:
     wrote = threading.Semaphore(0)
     count = 0
 
-    def write() -> None:
+    def write() -> str:
         nonlocal count
         count += 1
         wrote.release()
+        return ""
 
     upkeep = Upkeep(write, quiet_s=0.02)
     for _ in range(5):
@@ -22,6 +23,7 @@ def test_many_decisions_are_written_once_and_the_last_before_it_ends() -> None:
     upkeep.wanted()
     upkeep.end()
     assert count == 2
+    assert upkeep.problem == ""
     nothing = Upkeep(write)
     nothing.begin()
     nothing.end()
@@ -31,11 +33,12 @@ def test_many_decisions_are_written_once_and_the_last_before_it_ends() -> None:
 def test_what_is_decided_while_files_are_written_is_written_too() -> None:
     begun, go_on, count = threading.Event(), threading.Event(), 0
 
-    def write() -> None:
+    def write() -> str:
         nonlocal count
         count += 1
         begun.set()
         assert go_on.wait(20)
+        return "late"
 
     upkeep = Upkeep(write, quiet_s=0.0)
     upkeep.begin()
@@ -45,3 +48,4 @@ def test_what_is_decided_while_files_are_written_is_written_too() -> None:
     go_on.set()
     upkeep.end()
     assert count == 2
+    assert upkeep.problem == "late"

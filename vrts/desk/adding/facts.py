@@ -4,7 +4,7 @@ from collections import OrderedDict
 from collections.abc import Iterable, Mapping
 from typing import Final, NamedTuple
 
-from vrts.desk.book.book import Book
+from vrts.desk.book.book import Book, found_out
 from vrts.marking.by_hand.overrides import program_of
 
 KEPT: Final = 64  # states
@@ -52,7 +52,7 @@ def facts_of(book: Book) -> Facts:
         mine = book.decided.of(row.id)
         doubts = tuple(doubt.reason for doubt in row.unsafe)
         mark = (row.final, row.result.mark, row.result.kind, doubts, mine.excused, mine.conflict)
-        rows[row.id] = Fact(mark, program_of(row.result))
+        rows[row.id] = Fact(mark, program_of(found_out(row)))
         undone |= {one.record for one in mine.history if one.undone_by is not None}
     items = {item.id: item.version for item in book.decided.items}
     return Facts(rows, items, frozenset(undone))

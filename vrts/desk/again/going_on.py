@@ -3,7 +3,7 @@
 import fcntl
 import os
 from collections.abc import Generator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Final
 
@@ -14,6 +14,7 @@ from vrts.marking.supervise.staging import LOCK as STAGING_LOCK
 from vrts.pipeline.refused import Refused
 
 LOCK: Final = ".again.lock"  # in `staff`; nothing is in it
+WRITING: Final = ".writing.lock"  # the same
 
 
 @contextmanager
@@ -31,6 +32,23 @@ def marking_alone(folder: Path) -> Generator[None]:
             headline = "a marking goes on in this folder already"
             remedy = "wait until it has ended, then mark again"
             raise Refused((error(GOES_ON, headline, help=(remedy,)),))
+        yield
+    finally:
+        os.close(descriptor)
+
+
+@contextmanager
+def writing_alone(folder: Path) -> Generator[None]:
+    """Write lists of a class while no other desk does, nor a marking of one; they take moments.
+
+    Raises:
+        OSError: The folder cannot be written.
+    """
+    staff = Layout(folder).staff
+    descriptor = os.open(staff / WRITING, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
+    try:
+        with suppress(OSError):  # a file system without locks: then the last one who writes wins
+            fcntl.flock(descriptor, fcntl.LOCK_EX)
         yield
     finally:
         os.close(descriptor)

@@ -10,10 +10,14 @@ from msgspec.structs import replace
 
 from vrts.base.diagnostic import Rule, error
 from vrts.desk.again.asked import Again, again
+from vrts.desk.again.going_on import writing_alone
+from vrts.desk.book.deciding import decided_now
 from vrts.desk.book.opened import Opened, open_marking
 from vrts.live.lasting.clock import wall
+from vrts.marking.about import Late
 from vrts.marking.class_files import begin_class, write_class, write_overview
 from vrts.marking.exports.write import write_feedback
+from vrts.marking.layout import Layout
 from vrts.marking.marking import Done
 from vrts.marking.privacy.pseudonyms import read_names
 from vrts.marking.row import Class, Row, class_from_bytes
@@ -78,20 +82,25 @@ def mark_again(
         marked = mark_whole_class(
             marker, asked.submissions, layout, asked.how, begun=begun, told=step
         )
-    if marked is not None and students is None:
-        rows, intake = marked.rows, marked.intake_sha256
-    else:
-        rows, intake = (
-            _with(class_from_bytes(layout.results.read_bytes()), done),
-            about.intake_sha256,
-        )
-    after = replace(about, finished=_now(), intake_sha256=intake)
-    write_class(rows, after, layout)
-    write_feedback(rows, layout)
-    if marked is not None and students is None:
+    whole = marked is not None and students is None
+    with writing_alone(folder):
+        rows = marked.rows if marked is not None and whole else _with(_listed(layout), done)
+        intake = marked.intake_sha256 if marked is not None and whole else about.intake_sha256
+        task = marker.whole.task
+        late = None if task is None else Late.of(task.late)
+        after = replace(about, finished=_now(), intake_sha256=intake, late=late)
+        rows, _ = decided_now(Opened(layout, rows, after))  # also what was decided meanwhile
+        write_class(rows, after, layout)
+        write_feedback(rows, layout)
+    if marked is not None and whole:
         compare_class(marked, marker, layout)
-        write_overview(rows, after, layout)  # again: it links to what was compared
+        with writing_alone(folder):
+            write_overview(rows, after, layout)  # again: it links to what was compared
     return len(done)
+
+
+def _listed(layout: Layout) -> Class:
+    return class_from_bytes(layout.results.read_bytes())
 
 
 def _with(rows: Class, done: dict[str, Row]) -> Class:

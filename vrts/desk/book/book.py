@@ -8,6 +8,7 @@ from msgspec.structs import replace
 from vrts.desk.book.decided import Decided
 from vrts.desk.book.opened import Opened
 from vrts.desk.told import Attempt, Likeness
+from vrts.marking.result import Result
 from vrts.marking.row import Class, Row
 
 
@@ -52,6 +53,12 @@ class Book:
             return ()
         one = (Attempt(row.handed_in.received, None, file),)
         return tuple(
-            replace(told, mark=row.result.mark) if told.file == file else told
+            replace(told, mark=found_out(row).mark) if told.file == file else told
             for told in self.attempts.get(row.id, one)
         )
+
+
+def found_out(row: Row) -> Result:
+    """Return what was found out about a submission, also where the student is excused."""
+    held = None if row.decided is None else row.decided.result
+    return held or row.result

@@ -51,7 +51,7 @@ def application(desk: Desk, marking: Marking, upkeep: Upkeep, door: Way, events:
         events: Who listens to what happens.
     """
     files = StaticFiles(PAGE)
-    pages = ClassPages(desk, Programs(), marking)
+    pages = ClassPages(desk, Programs(), marking, upkeep)
     deeds = DeedPages(desk, marking, upkeep)
     reports = FilePages(desk)
 
@@ -67,6 +67,8 @@ def application(desk: Desk, marking: Marking, upkeep: Upkeep, door: Way, events:
 
         def marks() -> None:
             told = marking.told(desk.now().book.opened)
+            if not told.running:
+                upkeep.wanted()  # what was decided while it went on
             loop.call_soon_threadsafe(events.send, "marking", told)
 
         marking.changed = marks

@@ -13,15 +13,17 @@ from vrts.desk.front.answers import refusal, told, told_bytes
 from vrts.desk.programs import Programs
 from vrts.desk.rows.row_view import one_row
 from vrts.desk.told import ClassTold, GraderTold, MarkingTold
+from vrts.desk.upkeep import Upkeep
 
 
 class ClassPages:
     """The handlers."""
 
-    def __init__(self, desk: Desk, programs: Programs, marking: Marking) -> None:
+    def __init__(self, desk: Desk, programs: Programs, marking: Marking, upkeep: Upkeep) -> None:
         """Serve a desk."""
         self._desk = desk
         self._marking = marking
+        self._upkeep = upkeep
         self._programs = programs
 
     async def whole(self, request: Request) -> Response:
@@ -57,10 +59,13 @@ class ClassPages:
 
     def _told(self, shown: Shown) -> ClassTold:
         marking = self._marking.told(shown.book.opened)
-        return class_told(self._desk.me, shown, marking)
+        problems = (self._upkeep.problem,) if self._upkeep.problem else ()
+        return class_told(self._desk.me, shown, marking, problems)
 
 
-def class_told(me: GraderTold, shown: Shown, marking: MarkingTold) -> ClassTold:
+def class_told(
+    me: GraderTold, shown: Shown, marking: MarkingTold, problems: tuple[str, ...]
+) -> ClassTold:
     """Return a class as the page is told it."""
     book, listed = shown.book, shown.listed
     others = {one.id: one for one in (*book.decided.graders, me)}
@@ -77,7 +82,7 @@ def class_told(me: GraderTold, shown: Shown, marking: MarkingTold) -> ClassTold:
         book.decided.conflicts,
         marking,
         about.when.isoformat(),
-        book.problems,
+        (*book.problems, *problems),
     )
 
 

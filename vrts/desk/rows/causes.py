@@ -8,6 +8,7 @@ import re
 from collections.abc import Iterable
 from hashlib import sha256
 
+from vrts.desk.book.book import found_out
 from vrts.desk.told import CauseTold
 from vrts.marking.result import Loss, Result
 from vrts.marking.row import Row
@@ -32,10 +33,10 @@ def causes_of(rows: Iterable[Row]) -> tuple[CauseTold, ...]:
     """Return every cause with whom it cost points, those of most rows first."""
     found: dict[str, tuple[Loss, str, dict[str, None]]] = {}
     for row in rows:
-        for loss in row.result.losses:
+        for loss in found_out(row).losses:
             key = cause_key(loss)
             if key not in found:
-                found[key] = loss, _check(row.result, loss), {}
+                found[key] = loss, _check(found_out(row), loss), {}
             found[key][2][row.id] = None
     told = [
         CauseTold(key, loss.kind, check, _same(loss), loss.points, len(who), tuple(who))

@@ -2,7 +2,7 @@
 
 from fractions import Fraction
 
-from vrts.desk.book.book import Book
+from vrts.desk.book.book import Book, found_out
 from vrts.desk.book.decided import Mine
 from vrts.desk.rows.causes import causes_of, keys_of
 from vrts.desk.rows.order import Place, places
@@ -12,7 +12,6 @@ from vrts.marking.exports.steps import steps
 from vrts.marking.result import Kind
 from vrts.marking.row import Row
 
-LATENESS = "lateness"  # title of the step, as exports have it
 _MORE = 500  # characters of a sentence in the list
 
 
@@ -32,7 +31,7 @@ class Listed:
 
 
 def _row(book: Book, row: Row, place: Place) -> RowTold:
-    result, mine = row.result, book.decided.of(row.id)
+    result, mine = found_out(row), book.decided.of(row.id)
     late = row.late
     return RowTold(
         row.id,
@@ -40,7 +39,7 @@ def _row(book: Book, row: Row, place: Place) -> RowTold:
         row.final,
         result.mark,
         result.total,
-        result.kind.value,
+        row.result.kind.value,
         tuple(Doubted(doubt.reason.value, doubt.sentence[:_MORE]) for doubt in row.unsafe),
         result.ready,
         result.cause[:_MORE],
@@ -56,7 +55,7 @@ def _row(book: Book, row: Row, place: Place) -> RowTold:
         len(mine.comments),
         _items(mine),
         _change(row),
-        mine.excused or result.kind is Kind.EXCUSED,
+        row.result.kind is Kind.EXCUSED,
         mine.conflict,
         has_report(row),
         place.order,
@@ -66,7 +65,7 @@ def _row(book: Book, row: Row, place: Place) -> RowTold:
 
 def has_report(row: Row) -> bool:
     """Return whether marking made a page about a row, where it made pages."""
-    return row.result.program is not None
+    return found_out(row).program is not None
 
 
 def _items(mine: Mine) -> tuple[str, ...]:
@@ -77,10 +76,15 @@ def _change(row: Row) -> float | None:
     """Return what people changed, together; None where nobody did."""
     if row.change is None:
         return None
-    by_hand = (step.points for step in steps(row) if step.title != LATENESS)
+    by_hand = (step.points for step in steps(row)[_late_steps(row) :])
     return float(number(sum(by_hand, start=Fraction(0))))
 
 
 def _lost_by_lateness(row: Row) -> float:
-    late = (step.points for step in steps(row) if step.title == LATENESS)
+    late = (step.points for step in steps(row)[: _late_steps(row)])
     return float(number(-sum(late, start=Fraction(0))))
+
+
+def _late_steps(row: Row) -> int:
+    """Return how many of the steps are lateness; they come first."""
+    return 0 if row.late is None or row.late.review else 1

@@ -8,7 +8,7 @@ whoever asks has finished comes last.
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
-from vrts.desk.book.book import Book
+from vrts.desk.book.book import Book, found_out
 from vrts.desk.rows.causes import keys_of
 from vrts.desk.told import CauseTold
 from vrts.marking.row import Row
@@ -59,7 +59,7 @@ def _place(
         return MINE, 0, "", "assigned to you"
     if mine.finished or (mine.assigned and me not in mine.assigned):
         return REST, 1, "", "another grader's"
-    keys = keys_of(row.result)
+    keys = keys_of(found_out(row))
     if keys:
         first = min(keys, key=lambda key: rank[key])
         cause = shared[first]

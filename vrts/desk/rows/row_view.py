@@ -2,7 +2,7 @@
 
 from urllib.parse import quote
 
-from vrts.desk.book.book import Book
+from vrts.desk.book.book import Book, found_out
 from vrts.desk.rows.causes import cause_key
 from vrts.desk.told import LossTold, OneRow, RowTold, SourceTold, StepTold
 from vrts.marking.exports.numbers import number
@@ -27,7 +27,7 @@ def one_row(
         source_problem: Why there is none, where one was marked.
     """
     row = book.by_id[told.id]
-    mine = book.decided.of(row.id)
+    result, mine = found_out(row), book.decided.of(row.id)
     losses = tuple(
         LossTold(
             loss.points,
@@ -38,7 +38,7 @@ def one_row(
             loss.time_s,
             cause_key(loss),
         )
-        for loss in row.result.losses
+        for loss in result.losses
     )
     made = tuple(
         StepTold(float(number(step.points)), step.title, step.sentence) for step in steps(row)
@@ -48,8 +48,8 @@ def one_row(
         source,
         source_problem,
         losses,
-        row.result.checks,
-        row.result.findings,
+        result.checks,
+        result.findings,
         made,
         mine.comments,
         mine.given,
