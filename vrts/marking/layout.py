@@ -4,6 +4,7 @@ from pathlib import Path
 
 STUDENTS, STAFF = "students", "staff"
 STAGING = ".staging"  # in `staff`: what processes are writing
+COMPARED = "similarity"  # in `staff`: programs to compare with, and pages of two of them
 RESULT = "result.json"
 LOST = "lost.txt"  # why a process gave no answer, or only the mark
 

@@ -47,6 +47,7 @@ def out(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
 def test_each_has_two_reports(out: Path) -> None:
     for name in NAMES:
         assert sorted(p.name for p in (out / "staff" / "students" / name).iterdir()) == [
+            "motion.json",
             "report.html",
             "result.json",
         ]

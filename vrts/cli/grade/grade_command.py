@@ -16,6 +16,7 @@ SUBCOMMANDS = {
     "diff": "compare two markings of a class",
     "change": "change a mark by hand",
     "desk": "go through a marked class on one page",
+    "similarity": "compare the programs of a marking again, also with other folders",
     "session": "mark sessions of the live server",
 }
 ROOMS = {

@@ -13,6 +13,7 @@ import click
 from vrts.cli.grade.export_command import NAMES, export, given_page
 from vrts.cli.grade.options import (
     again_option,
+    corpus_option,
     despite_option,
     mend_option,
     no_pages_option,
@@ -54,6 +55,7 @@ if TYPE_CHECKING:
     from vrts.marking.layout import Layout
     from vrts.marking.marking import Done
     from vrts.marking.row import Row
+    from vrts.marking.similarity.corpus import Corpora
     from vrts.marking.submission.marker import Marker
     from vrts.marking.whole_class import HowTo, Marked
 
@@ -65,6 +67,7 @@ Examples:
   vrts grade task.toml anna.v2 ben.v2 --format json
   vrts grade lab1-student.zip mine.v2
   vrts grade task.toml download.zip -o out --export moodle --fill Grades-Lab1.csv
+  vrts grade task.toml download.zip -o out --corpus out-2025 --corpus old.zip
   vrts grade task.toml download.zip -o out --backend dask:tcp://192.0.2.1:8786
 
 \b
@@ -79,7 +82,8 @@ scheduler only you can reach. Without Dask: vrts grade plan, run and merge.
 
 \b
 More: vrts grade intake | plan | run | merge | export | init | evidence | reproduce | diff |
-change | desk, each with --help. Sessions of the live server: vrts grade [TASK] --session FILE.
+change | desk | similarity, each with --help. Sessions of the live server:
+vrts grade [TASK] --session FILE.
 """
 
 
@@ -118,6 +122,7 @@ change | desk, each with --help. Sessions of the live server: vrts grade [TASK] 
     show_default=True,
     help="How many programs `--verify` marks again.",
 )
+@corpus_option()
 @click.option(
     "--pseudonyms",
     is_flag=True,
@@ -147,6 +152,7 @@ def command(
     despite: tuple[str, ...],
     verify: bool,
     sample: int,
+    others: tuple[Path, ...],
     pseudonyms: bool,
     again: bool,
     no_pages: bool,
@@ -181,6 +187,7 @@ def command(
     from vrts.marking.layout import Layout
     from vrts.marking.privacy.pseudonyms import require_names
     from vrts.marking.remote.backend import read_backend
+    from vrts.marking.similarity.corpus import read_corpora
     from vrts.marking.submission.marker import Marker
     from vrts.marking.submission.one import Wanted
     from vrts.marking.whole_class import HowTo
@@ -197,6 +204,9 @@ def command(
         fail("`--pseudonyms` needs a folder for results", ("name it with `-o`",))
     if layout is not None and not pseudonyms:
         require_names(layout)
+    if others and layout is None:
+        fail("`--corpus` needs a folder for results", ("name it with `-o`",))
+    corpora = read_corpora(others, folder)
     page = given_page(fill)
     where = None if backend is None else read_backend(backend)
     how = HowTo(
@@ -213,11 +223,11 @@ def command(
     then = "nothing is kept without `-o`" if layout is None else "the same call goes on"
     with progress.interruptible(then):
         marked = _mark(marker, found, layout, how, about, progress, quiet=form == "json")
-        show_diagnostics((*marker.whole.stamps, *marked.warnings), color)
+        show_diagnostics((*marker.whole.stamps, *marked.warnings, *corpora.findings), color)
         for remark in marked.remarks:
             say(f"note: {remark}")
         if layout is not None:
-            write_lists(marker, marked, layout, about, color)
+            write_lists(marker, marked, layout, about, color, corpora)
     if form == "json":
         from vrts.marking.row import class_to_bytes
 
@@ -335,7 +345,12 @@ def _about(marker: "Marker", submissions: "Sequence[str]", *, pseudonyms: bool) 
 
 
 def write_lists(
-    marker: "Marker", marked: "Marked", layout: "Layout", about: "About", color: str
+    marker: "Marker",
+    marked: "Marked",
+    layout: "Layout",
+    about: "About",
+    color: str,
+    corpora: "Corpora | None" = None,
 ) -> None:
     """Write what there is about a class as a whole, and what students get; tell unsafe marks."""
     import msgspec
@@ -344,6 +359,7 @@ def write_lists(
     from vrts.marking.class_files import write_class, write_overview
     from vrts.marking.exports.unsafe_marks import after_marking
     from vrts.marking.exports.write import write_feedback
+    from vrts.marking.similarity.corpus import NONE
     from vrts.marking.similarity.files import compare_class
 
     assert marker.whole.task is not None
@@ -355,7 +371,7 @@ def write_lists(
     )
     write_class(marked.rows, about, layout)
     write_feedback(marked.rows, layout)
-    compare_class(marked, marker, layout)
+    compare_class(marked, marker, layout, corpora or NONE)
     write_overview(marked.rows, about, layout)  # again: it links to what was compared
     say(f"wrote {layout.overview}")
     without = ", without the hidden checks" if marker.hidden else ""

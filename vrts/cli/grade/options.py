@@ -28,6 +28,17 @@ zone_option = click.option(
 )
 
 
+def corpus_option() -> Option[Any]:
+    """Return `--corpus`."""
+    return file_option(
+        "--corpus",
+        "others",
+        multiple=True,
+        metavar="OTHER",
+        help="Compare also with an earlier output of `vrts grade`, or programs. Repeatable.",
+    )
+
+
 def no_pages_option(says: str = "Write results only, no pages.") -> Option[Any]:
     """Return `--no-pages`."""
     return click.option("--no-pages", is_flag=True, help=says)

@@ -1,10 +1,12 @@
-"""The ranking of similar programs as a page, with what they share side by side."""
+"""Programs that are alike as a page: groups first, then pairs with equal text side by side."""
 
 from collections.abc import Mapping, Sequence
 from textwrap import dedent
 
 from vrts.base.source import SourceFile
 from vrts.marking.overview.links import staff_report
+from vrts.marking.similarity.groups import LOOK, STRONG
+from vrts.marking.similarity.groups_section import groups_section
 from vrts.marking.similarity.ranking import Pair, Ranking, SharedValue
 from vrts.marking.similarity.regions import Region
 from vrts.marking.similarity.symbols import readable
@@ -44,6 +46,7 @@ def similarity_page(
     labels = {who: _who(who, known.get(who, ""), pages=pages) for who in programs}
     body = [
         _head(ranking, title),
+        groups_section(ranking, labels),
         _table(ranking, labels),
         *(
             _side_by_side(number, pair, sources, labels)
@@ -57,6 +60,8 @@ def similarity_page(
 
 def _head(ranking: Ranking, title: str) -> Markup:
     count = f"{ranking.compared} programs compared, each with all others"
+    for corpus in ranking.corpus:
+        count += f", and with {corpus.programs} of {one_line(corpus.name)}"
     return element(
         "header",
         element("h1", f"Similarity: {one_line(title)}"),
@@ -70,14 +75,14 @@ def _head(ranking: Ranking, title: str) -> Markup:
 def _table(ranking: Ranking, labels: Mapping[str, Markup]) -> Markup:
     if not ranking.pairs:
         nothing = element("p", "No two programs share more than what is usual in this class.")
-        return element("section", element("h2", "Ranking"), nothing)
+        return element("section", element("h2", "Pairs with equal text"), nothing)
     heads = ("Rank", "Program", "And", "Alike", "Code", "Taught values")
     head = element("tr", *(element("th", text, scope="col") for text in heads))
     rows = [_row(number, pair, labels) for number, pair in enumerate(ranking.pairs, start=1)]
     table = element("table", element("thead", head), element("tbody", *rows), class_="ranking")
     return element(
         "section",
-        element("h2", "Ranking", id="ranking-head"),
+        element("h2", "Pairs with equal text", id="ranking-head"),
         element(
             "div",
             table,
@@ -184,9 +189,9 @@ def _values(values: Sequence[SharedValue]) -> Markup | None:
 
 def _method(ranking: Ranking) -> Markup:
     what = (
-        f"Programs are compared as sequences of words of the language, without names, numbers,"
-        f" comments and layout: {ranking.symbols} in a row that are the same count as shared. The"
-        f" order of subroutines does not matter."
+        f"For pairs with equal text, programs are compared as sequences of words of the language,"
+        f" without names, numbers, comments and layout: {ranking.symbols} in a row that are the"
+        f" same count as shared. The order of subroutines does not matter."
     )
     left_out = (
         "What comes with the task is left out, and so is what many in the class have: what few"
@@ -197,7 +202,21 @@ def _method(ranking: Ranking) -> Markup:
         "Those who handed in together are not compared. A high place says that it is worth reading"
         " both programs, and nothing else."
     )
-    words = (what, left_out, meaning)
+    groups = (
+        "Groups rest on five kinds of evidence: what the runs did, in space and from the things of"
+        " each one's own scene; the steps as they are executed, calls put in place, loops of every"
+        " kind alike, filler left out; numbers and taught values within a tolerance; comments,"
+        " names and layout; and the text. What a feature counts depends on how few have it, here"
+        " and in the folders compared with. What comes with the task, and places that the scene"
+        " names, count nothing."
+    )
+    strength = (
+        "Nearly all pairs of a class are innocent, and show what chance can do. A group is strong"
+        f" where at most {STRONG:g} pairs as much alike are expected by chance in the whole class,"
+        f" worth a look up to {LOOK:g}, and weak beyond. The number beside it is 0.5 where one such"
+        " pair is expected. A group holds only those who hang together with all others in it."
+    )
+    words = (groups, strength, what, left_out, meaning)
     return element(
         "section", element("h2", "How it is measured"), *(element("p", w) for w in words)
     )

@@ -14,12 +14,13 @@ import msgspec
 from msgspec import Meta
 
 from vrts.marking.result import Record
+from vrts.marking.similarity.groups import Group
 from vrts.marking.similarity.regions import Region, regions
 from vrts.marking.similarity.symbols import Part, Readable, Reader, readable
 from vrts.marking.similarity.taught import Taught, taught
 from vrts.marking.similarity.winnowing import K, W, hashes, winnow
 
-SCHEMA = "vrts.similarity/1"
+SCHEMA = "vrts.similarity/2"
 NOTE = (
     "a ranking of what to look at, and no verdict: programs are alike for many reasons, such as one"
     " textbook, one lab, one table of locations, or help that was allowed"
@@ -58,15 +59,25 @@ class Pair(Record, frozen=True):
     values: tuple[SharedValue, ...]
 
 
-class Ranking(Record, frozen=True):
-    """Pairs of programs, most alike first."""
+class Corpus(Record, frozen=True):
+    """Programs of an earlier year or another folder."""
 
-    schema: Literal["vrts.similarity/1"]
+    name: str
+    programs: int
+    ran: Annotated[int, Meta(description="of which it is known what their runs did")]
+
+
+class Ranking(Record, frozen=True):
+    """Groups of programs that seem to come from one source, and pairs with equal text."""
+
+    schema: Literal["vrts.similarity/2"]
     note: str
     compared: Annotated[int, Meta(description="programs that could be read")]
     symbols: Annotated[int, Meta(description="in a row that must be the same: K of winnowing")]
     window: Annotated[int, Meta(description="W of winnowing")]
-    pairs: tuple[Pair, ...]
+    pairs: Annotated[tuple[Pair, ...], Meta(description="with equal text, most alike first")]
+    groups: Annotated[tuple[Group, ...], Meta(description="most alike first")] = ()
+    corpus: tuple[Corpus, ...] = ()
 
 
 class Fingerprinted(NamedTuple):
@@ -125,7 +136,7 @@ def similarity(
         )
         for score, first, second, by_code, by_values in scored[:MOST_PAIRS]
     )
-    return Ranking("vrts.similarity/1", NOTE, len(names), K, W, pairs)
+    return Ranking("vrts.similarity/2", NOTE, len(names), K, W, pairs)
 
 
 def _same(programs: Sequence[Fingerprinted]) -> Iterator[tuple[int, int]]:

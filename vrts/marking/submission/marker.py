@@ -26,6 +26,7 @@ from vrts.marking.submission.mending import would_do
 from vrts.marking.submission.one import Marked, Order, Wanted, mark, refused
 from vrts.marking.submission.report_files import FAULT, RECORDING, REPORT, Reader, write_files
 from vrts.marking.submission.setting import Place, load
+from vrts.marking.submission.sketch import SKETCH
 from vrts.marking.submission.summary import result_of, unmarked
 from vrts.marking.supervise.limits import Limits, for_mending, for_states
 from vrts.pipeline.setting import Setting
@@ -33,7 +34,10 @@ from vrts.report.audience import for_student
 
 STUDENT, STAFF = "student", "staff"  # folders of what a process writes
 MADE = "made.json"  # the results, written before what would mend a program is looked for
-WRITTEN = tuple(f"{who}/{name}" for who in (STUDENT, STAFF) for name in (REPORT, RECORDING, FAULT))
+WRITTEN = (
+    *(f"{who}/{name}" for who in (STUDENT, STAFF) for name in (REPORT, RECORDING, FAULT)),
+    f"{STAFF}/{SKETCH}",
+)
 
 IDLE = b".PROGRAM warm()\nSTOP\n.END\n"
 

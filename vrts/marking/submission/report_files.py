@@ -1,9 +1,11 @@
-"""The files about one submission: pages for its two readers, a recording, and our own faults."""
+"""The files about one submission: two pages, a recording, what its run did, and our faults."""
 
 from collections.abc import Collection
 from pathlib import Path
 
 from vrts.marking.submission.one import Marked, Wanted
+from vrts.marking.submission.sketch import SKETCH, sketch
+from vrts.marking.submission.sketch import to_bytes as sketch_to_bytes
 from vrts.pipeline.curve import with_curve
 from vrts.pipeline.setting import Setting
 from vrts.report.assessment import Assessment
@@ -49,6 +51,8 @@ def write_files(
         from vrts.report.recording import write_recording  # rerun is optional, and heavy
 
         write_recording(a, student[1].folder / RECORDING)
+    if a.run is not None and a.scene is not None:
+        (staff[1].folder / SKETCH).write_bytes(sketch_to_bytes(sketch(a.run, a.scene)))
     if staff[0].fault is not None:
         (staff[1].folder / FAULT).write_bytes(staff[0].fault.encode())
 

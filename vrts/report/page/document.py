@@ -20,12 +20,14 @@ def document(title: str, style: str, body: Sequence[Child], scripts: Sequence[Ch
     return "".join(document_parts(title, style, body, joined(scripts)))
 
 
-def document_parts(title: str, style: str, body: Sequence[Child], *scripts: Markup) -> list[str]:
+def document_parts(
+    title: str, style: str, body: Sequence[Child], *scripts: Markup, policy: str = POLICY
+) -> list[str]:
     """Return the same in parts: scripts are long, and stay as they are."""
     head = element(
         "head",
         element("meta", charset="utf-8"),
-        element("meta", http_equiv="Content-Security-Policy", content=POLICY),
+        element("meta", http_equiv="Content-Security-Policy", content=policy),
         element("meta", name="viewport", content="width=device-width, initial-scale=1"),
         element("meta", name="color-scheme", content="light dark"),
         element("title", title),

@@ -12,7 +12,9 @@ from vrts.assignments.pack import student_zip
 from vrts.assignments.task_folder import read_folder
 from vrts.cli.main import vrts
 from vrts.marking.layout import Layout
+from vrts.marking.similarity.features.extract import Program
 from vrts.marking.similarity.files import given, write_similarity
+from vrts.marking.similarity.kept import Kept
 from vrts.marking.similarity.page import similarity_page
 from vrts.marking.similarity.ranking import similarity
 from vrts.marking.submission.marker import Marker
@@ -91,11 +93,13 @@ def test_programs_in_a_packed_task_are_given_too(tmp_path: Path) -> None:
 def test_both_files_are_for_the_staff(tmp_path: Path) -> None:
     programs = {"anna": ORIGINAL.encode(), "ben": ORIGINAL.encode()}
     layout = Layout(tmp_path)
-    ranking = write_similarity(programs, (), layout, "Group 3", names={}, groups={})
+    kept = Kept("Group 3", {name: Program(data) for name, data in programs.items()}, {}, ())
+    ranking = write_similarity(kept, layout, names={})
     assert len(ranking.pairs) == 1
     assert sorted(p.relative_to(tmp_path).as_posix() for p in tmp_path.rglob("*.*")) == [
         "staff/similarity.html",
         "staff/similarity.json",
+        "staff/similarity/pair-001.html",
     ]
 
 

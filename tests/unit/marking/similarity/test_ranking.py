@@ -139,7 +139,7 @@ def test_the_json_says_that_it_is_no_verdict() -> None:
     jsonschema.validate(data, schema("similarity"))
     jsonschema.Draft202012Validator.check_schema(schema("similarity"))
     assert "no verdict" in data["note"]
-    assert data["schema"] == "vrts.similarity/1"
+    assert data["schema"] == "vrts.similarity/2"
     assert data["pairs"][0]["first"] == "anna"
 
 

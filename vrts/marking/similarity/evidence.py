@@ -1,0 +1,79 @@
+"""What two programs share, in words, what weighs most first."""
+
+from collections.abc import Mapping
+from itertools import chain
+from typing import Annotated
+
+from msgspec import Meta
+
+from vrts.marking.result import Record
+from vrts.marking.similarity.features.extract import CHANNELS
+from vrts.marking.similarity.features.feature import Channel, Feature
+from vrts.marking.similarity.features.words import words_of
+from vrts.marking.similarity.weighing.shares import Shares
+
+MOST = 24  # told of two programs
+MOST_OF_CHANNEL = 7
+LEAST = 0.7  # nats: what weighs less is left out
+
+
+class Evidence(Record, frozen=True):
+    """Something that two programs share."""
+
+    what: Annotated[str, Meta(description="motion, steps, numbers, words or text")]
+    words: str
+    weight: Annotated[float, Meta(ge=0, description="natural logarithm of how seldom it is")]
+    others: Annotated[int, Meta(ge=0, description="further programs that have it")]
+    first_line: Annotated[int, Meta(ge=0, description="of the first program; 0: of none")]
+    second_line: Annotated[int, Meta(ge=0)]
+
+
+def evidence_of(
+    first: Mapping[Channel, Mapping[int, Feature]],
+    second: Mapping[Channel, Mapping[int, Feature]],
+    found: tuple[Shares, ...],
+    given: tuple[frozenset[int], ...],
+) -> tuple[Evidence, ...]:
+    """Return what two programs share; of what says nearly the same, the rarest.
+
+    Args:
+        first: Features of a program, by channel and digest.
+        second: Of another.
+        found: What is how rare in the class, for each channel.
+        given: Digests of what everybody was given, for each channel.
+    """
+    told = chain.from_iterable(
+        _of_channel(first[channel], second[channel], found[k], given[k])
+        for k, channel in enumerate(CHANNELS)
+    )
+    return tuple(sorted(told, key=lambda one: (-one.weight, one.what, one.words)))[:MOST]
+
+
+def _of_channel(
+    first: Mapping[int, Feature],
+    second: Mapping[int, Feature],
+    shares: Shares,
+    given: frozenset[int],
+) -> list[Evidence]:
+    rows: list[tuple[float, int, Feature, Feature]] = []
+    for digest in first.keys() & second.keys():
+        if digest not in given:
+            weight, owners = shares.weight(digest)
+            if weight >= LEAST:
+                rows.append((weight, owners, first[digest], second[digest]))
+    rows.sort(key=lambda row: (-round(row[0], 3), row[2].line, row[2].kind, repr(row[2].key)))
+    told: list[Evidence] = []
+    seen: set[tuple[object, ...]] = set()
+    for weight, owners, one, other in rows:
+        words = words_of(one)
+        marks = {("words", words), ("lines", one.kind, one.line, other.line)}
+        if marks & seen and one.line:
+            continue
+        seen |= marks
+        others = max(0, owners - 2)
+        told.append(
+            Evidence(one.channel.value, words, round(weight, 2), others, one.line, other.line)
+        )
+        if len(told) == MOST_OF_CHANNEL:
+            break
+    return told

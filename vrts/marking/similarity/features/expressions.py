@@ -1,0 +1,179 @@
+"""Expressions without names and spelling: what is the same by arithmetic is the same."""
+
+from collections.abc import Mapping
+from typing import NamedTuple, cast
+
+from vrts.ir.expressions import (
+    Apply,
+    Argument,
+    Binary,
+    BinaryOperator,
+    Compose,
+    Constant,
+    Format,
+    Load,
+    Place,
+    Slot,
+    Unary,
+    UnaryOperator,
+    Variable,
+    WholeArray,
+)
+from vrts.ir.values import Type
+
+EXPRESSIONS = (Constant, Load, Unary, Binary, Apply, Compose)
+DEEPEST = 24  # expressions in expressions that are told apart
+NUMBER = "#"  # in place of a number, where numbers do not count
+
+_EITHER_WAY = frozenset(
+    {
+        *(BinaryOperator.ADD, BinaryOperator.MULTIPLY, BinaryOperator.EQUAL),
+        *(BinaryOperator.NOT_EQUAL, BinaryOperator.AND, BinaryOperator.OR, BinaryOperator.XOR),
+    }
+)
+_TURNED = {
+    BinaryOperator.GREATER: BinaryOperator.LESS,
+    BinaryOperator.GREATER_EQUAL: BinaryOperator.LESS_EQUAL,
+}
+_OPPOSITE = {
+    BinaryOperator.LESS: BinaryOperator.GREATER_EQUAL,
+    BinaryOperator.LESS_EQUAL: BinaryOperator.GREATER,
+    BinaryOperator.GREATER: BinaryOperator.LESS_EQUAL,
+    BinaryOperator.GREATER_EQUAL: BinaryOperator.LESS,
+    BinaryOperator.EQUAL: BinaryOperator.NOT_EQUAL,
+    BinaryOperator.NOT_EQUAL: BinaryOperator.EQUAL,
+}
+_LETTERS = {
+    Type.REAL: "r",
+    Type.STRING: "s",
+    Type.POSE: "p",
+    Type.JOINTS: "j",
+    Type.DYNAMIC: "d",
+}
+
+
+class Known(NamedTuple):
+    """What stands for variables: constants that never change, and arguments of calls."""
+
+    constants: Mapping[str, float]  # by name
+    arguments: tuple[Argument, ...] = ()  # of the call, by number of the formal
+    outer: "Known | None" = None  # by which the arguments are to be read
+
+
+def spelled(found: Argument, known: Known, *, numbers: bool, depth: int = 0) -> str:
+    """Return an expression as text.
+
+    Args:
+        found: The expression.
+        known: What stands for its variables.
+        numbers: Whether numbers are told; otherwise each is the same.
+        depth: How deep it stands in another.
+    """
+    if depth > DEEPEST:
+        return "..."
+
+    def inner(one: Argument) -> str:
+        return spelled(one, known, numbers=numbers, depth=depth + 1)
+
+    match found:
+        case None:
+            return "-"
+        case Constant(value):
+            return _constant(value, numbers=numbers)
+        case Load(place) | (Place() as place):
+            return _variable(place, known, numbers=numbers, depth=depth)
+        case Unary(UnaryOperator.NOT, Binary(operator, left, right)) if operator in _OPPOSITE:
+            return inner(Binary(_OPPOSITE[operator], left, right))
+        case Unary(operator, operand):
+            value = constant_of(found, known)
+            if value is not None:
+                return _constant(value, numbers=numbers)
+            return f"{operator.value}({inner(operand)})"
+        case Binary(operator, left, right):
+            parts = [inner(left), inner(right)]
+            if operator in _TURNED:
+                operator = _TURNED[operator]
+                parts.reverse()
+            if operator in _EITHER_WAY:
+                parts.sort()
+            return f"({parts[0]}{operator.value}{parts[1]})"
+        case Apply(function, arguments):
+            return f"{function.value}({','.join(inner(one) for one in arguments)})"
+        case Compose(parts):
+            return ":".join(inner(one) for one in parts)
+        case WholeArray(variable):
+            return f"{_letter(variable)}[]"
+        case Format():
+            return f"/{found.kind.value}"
+
+
+def constant_of(found: Argument, known: Known, depth: int = 0) -> float | None:
+    """Return the number that an expression surely is; None: it may be others."""
+    if depth > DEEPEST:
+        return None
+    match found:
+        case Constant(float(value)):
+            return value
+        case Unary(UnaryOperator.MINUS, operand):
+            value = constant_of(operand, known, depth + 1)
+            return None if value is None else -value
+        case Load(place) | (Place() as place) if not place.subscripts:
+            variable = place.variable
+            if isinstance(variable, Slot):
+                given = _given(variable, known)
+                if given is None or known.outer is None:
+                    return None
+                return constant_of(given, known.outer, depth + 1)
+            return known.constants.get(variable.name)
+        case _:
+            return None
+
+
+def variables_in(found: object) -> frozenset[str]:
+    """Return the names of variables whose values an expression reads."""
+    names: set[str] = set()
+    left: list[object] = [found]
+    while left:
+        one = left.pop()
+        if isinstance(one, Place):
+            if not isinstance(one.variable, Slot):
+                names.add(one.variable.name)
+            left.extend(one.subscripts)
+        elif isinstance(one, WholeArray):
+            if not isinstance(one.variable, Slot):
+                names.add(one.variable.name)
+        elif isinstance(one, tuple):  # an expression, or several
+            left.extend(cast("tuple[object, ...]", one))
+    return frozenset(names)
+
+
+def _given(slot: Slot, known: Known) -> Argument:
+    return known.arguments[slot.number] if slot.number < len(known.arguments) else None
+
+
+def _constant(value: object, *, numbers: bool) -> str:
+    if isinstance(value, float):
+        return f"{value:.6g}" if numbers else NUMBER
+    if isinstance(value, str):
+        return "text"
+    return "pose"
+
+
+def _letter(variable: Variable) -> str:
+    return _LETTERS[variable.type]
+
+
+def _variable(place: Place, known: Known, *, numbers: bool, depth: int) -> str:
+    variable = place.variable
+    if isinstance(variable, Slot) and not place.subscripts and known.outer is not None:
+        given = _given(variable, known)
+        if given is not None:
+            return spelled(given, known.outer, numbers=numbers, depth=depth + 1)
+    if not place.subscripts and not isinstance(variable, Slot):
+        value = known.constants.get(variable.name)
+        if value is not None:
+            return _constant(value, numbers=numbers)
+    inside = ",".join(
+        spelled(one, known, numbers=numbers, depth=depth + 1) for one in place.subscripts
+    )
+    return f"{_letter(variable)}[{inside}]" if inside else _letter(variable)

@@ -1,0 +1,55 @@
+"""All features of one program."""
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from vrts.marking.similarity.features.code import code_features
+from vrts.marking.similarity.features.feature import Channel, Feature
+from vrts.marking.similarity.features.habits import habit_features
+from vrts.marking.similarity.features.motion import motion_features
+from vrts.marking.similarity.features.text import text_features
+from vrts.marking.similarity.features.values import value_features
+from vrts.marking.similarity.symbols import Reader, readable
+from vrts.marking.submission.sketch import Sketch
+from vrts.pipeline.compiling.programs import compile_bytes
+
+CHANNELS = tuple(Channel)
+MOST_FEATURES = 20_000  # of a program
+
+
+class Program(NamedTuple):
+    """A program, and what its run did."""
+
+    data: bytes
+    sketch: Sketch | None = None  # None: nobody executed it, or it did not run
+
+
+class Digests(NamedTuple):
+    """A program as numbers: for each channel the digests of its features, each once, sorted."""
+
+    channels: tuple[tuple[int, ...], ...]
+
+
+def features_of(program: Program, name: str, reader: Reader) -> Iterator[Feature]:
+    """Yield the features of a program; of what is no text there are none."""
+    file = readable(program.data, name)
+    if file is None:
+        return
+    yield from text_features(file, reader)
+    yield from value_features(file)
+    yield from habit_features(file)
+    if program.sketch is not None:
+        yield from motion_features(program.sketch)
+    compilation = compile_bytes(program.data, name).compilation
+    if compilation is not None and compilation.module is not None:
+        yield from code_features(compilation.module)
+
+
+def digests_of(program: Program, name: str, reader: Reader) -> Digests:
+    """Return a program as numbers."""
+    found: dict[Channel, set[int]] = {channel: set() for channel in CHANNELS}
+    for number, feature in enumerate(features_of(program, name, reader)):
+        if number >= MOST_FEATURES:
+            break
+        found[feature.channel].add(feature.digest)
+    return Digests(tuple(tuple(sorted(found[channel])) for channel in CHANNELS))

@@ -1,0 +1,93 @@
+"""The groups of a class as a section of its page: who, how strong, why, and where to compare."""
+
+from collections.abc import Mapping
+
+from vrts.marking.similarity.groups import Group
+from vrts.marking.similarity.ranking import Ranking
+from vrts.report.page.html import Child, Markup, element, joined, prose
+from vrts.report.plain import one_line
+
+MOST_REASONS = 3
+MOST_PAGES = 12  # of a group, linked
+MEANING = {
+    "strong": "chance hardly explains it",
+    "worth a look": "chance may explain it",
+    "weak": "chance explains it well",
+}
+
+
+def groups_section(ranking: Ranking, labels: Mapping[str, Markup]) -> Markup:
+    """Return the section.
+
+    Args:
+        ranking: What was found.
+        labels: Of the programs of the class, by identifier.
+    """
+    if not ranking.groups:
+        nothing = "No programs hang together more than chance explains."
+        return element("section", element("h2", "Groups"), element("p", nothing))
+    heads = ("No.", "Programs", "Strength", "What they share, the rarest first", "Compare")
+    head = element("tr", *(element("th", text, scope="col") for text in heads))
+    rows = [_row(k, group, labels) for k, group in enumerate(ranking.groups, start=1)]
+    table = element("table", element("thead", head), element("tbody", *rows), class_="groups")
+    return element(
+        "section",
+        element("h2", "Groups", id="groups-head"),
+        element("p", _counts(ranking), class_="where"),
+        element(
+            "div", table, class_="wide", role="region", tabindex="0", aria_labelledby="groups-head"
+        ),
+    )
+
+
+def _counts(ranking: Ranking) -> str:
+    counts = {word: sum(one.strength == word for one in ranking.groups) for word in MEANING}
+    told = [f"{count} {word}" for word, count in counts.items() if count]
+    return (
+        f"Programs that seem to come from one source: {', '.join(told)}. In a class as large as"
+        f" this, some weak groups are there by chance alone."
+    )
+
+
+def _row(number: int, group: Group, labels: Mapping[str, Markup]) -> Markup:
+    members = [element("li", labels.get(one) or one_line(one)) for one in group.members]
+    width = f"width:{100 * group.score:.0f}%"
+    return element(
+        "tr",
+        element("td", str(number), class_="number"),
+        element("td", element("ul", *members)),
+        element(
+            "td",
+            element("b", group.strength),
+            element("span", element("i", style=width), class_="share", aria_hidden="true"),
+            element("small", MEANING[group.strength]),
+            class_=f"strength {group.strength.split(' ', 1)[0]}",
+        ),
+        element("td", _reasons(group)),
+        element("td", *_pages(group, labels)),
+    )
+
+
+def _reasons(group: Group) -> Markup:
+    seen: set[str] = set()
+    told: list[Child] = []
+    for kinds in (True, False):  # of each kind one first
+        for one in group.evidence:
+            new = one.words not in seen and not (kinds and one.what in seen)
+            if new and len(told) < MOST_REASONS:
+                seen |= {one.words, one.what}
+                told.append(element("li", prose(one.words[:1].upper() + one.words[1:])))
+    return element("ul", *told) if told else joined(["many small things"])
+
+
+def _pages(group: Group, labels: Mapping[str, Markup]) -> list[Child]:
+    linked = [link for link in group.links if link.page]
+    if len(linked) == 1:
+        return [element("a", "side by side", href=linked[0].page)]
+    found: list[Child] = [
+        element("p", element("a", one_line(f"{link.first} and {link.second}"), href=link.page))
+        for link in linked[:MOST_PAGES]
+    ]
+    if len(linked) > MOST_PAGES:
+        found.append(element("p", f"and {len(linked) - MOST_PAGES} more pairs in the folder"))
+    return found
