@@ -86,7 +86,7 @@ def test_merged_results_and_pages_are_those_of_marking_here(sent: Sent, tmp_path
     assert merged.findings == ()
     assert merged.missing == ()
     here, there = files(tmp_path / "here"), files(tmp_path / "there")
-    assert len(here) == 26, "two results each, two pages where there was a file"
+    assert len(here) == 28, "two results each, two pages where there was a file, motion of runs"
     assert there.keys() == here.keys()
     assert [name for name in here if here[name] != there[name]] == []
     assert any("letter.v2`" in text.decode() for text in there.values()), "a sentence has a title"

@@ -150,7 +150,7 @@ def _read_by(one: Instruction) -> frozenset[str]:
     if isinstance(one, Assign):
         return variables_in((*one.place.subscripts, one.value))
     if isinstance(one, BeginFor | NextFor):
-        return frozenset().union(*(variables_in(x) for x in one[1:] if isinstance(x, tuple)))
+        return frozenset[str]().union(*(variables_in(x) for x in one[1:] if isinstance(x, tuple)))
     if isinstance(one, Prompt):
         return frozenset()
     return frozenset[str]().union(*(variables_in(part) for part in one if isinstance(part, tuple)))

@@ -34,7 +34,7 @@ def words_of(feature: Feature) -> str:
         Channel.STEPS: _steps,
         Channel.NUMBERS: _numbers,
         Channel.WORDS: _habits,
-        Channel.TEXT: lambda _kind, _key: "the same steps, word for word but for names and numbers",
+        Channel.TEXT: _text,
     }
     said = one_line(tell[feature.channel](feature.kind, feature.key))
     return said if len(said) <= LONGEST else f"{said[: LONGEST - 1]}…"
@@ -99,6 +99,10 @@ def _numbers(kind: str, key: tuple[object, ...]) -> str:
         case _:
             names = [_step(one) for one in key if isinstance(one, str)]
             return f"nearly the same numbers in a row: in {', '.join(names)}"
+
+
+def _text(_kind: str, _key: tuple[object, ...]) -> str:
+    return "the same steps, word for word but for names and numbers"
 
 
 def _habits(kind: str, key: tuple[object, ...]) -> str:

@@ -63,7 +63,8 @@ def shares(
         return Shares(nothing, nothing, nothing, empty, np.zeros(0), empty)
     known, token = np.unique(flat, return_inverse=True)
     everywhere = np.bincount(token)
-    here = np.bincount(token, weights=owner < count, minlength=len(everywhere))
+    inside = (owner < count).astype(np.float64)
+    here: NDArray[np.float64] = np.bincount(token, inside, len(everywhere)).astype(np.float64)
     weights = _weights(here, everywhere, count, total)
     single = np.where(everywhere == 1, ALONE, 1.0) * weights
     sizes = np.bincount(owner, weights=single[token], minlength=total)
