@@ -48,7 +48,6 @@ def test_each_has_two_reports(out: Path) -> None:
     for name in NAMES:
         assert sorted(p.name for p in (out / "staff" / "students" / name).iterdir()) == [
             "motion.json",
-            "motion.json",
             "report.html",
             "result.json",
         ]
