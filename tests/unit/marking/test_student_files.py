@@ -46,8 +46,9 @@ def out(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
 
 def test_each_has_two_reports(out: Path) -> None:
     for name in NAMES:
+        ran = ["motion.json"] if name != "not-text" else []
         assert sorted(p.name for p in (out / "staff" / "students" / name).iterdir()) == [
-            "motion.json",
+            *ran,
             "report.html",
             "result.json",
         ]
