@@ -82,7 +82,7 @@ scheduler only you can reach. Without Dask: vrts grade plan, run and merge.
 
 \b
 More: vrts grade intake | plan | run | merge | export | init | evidence | reproduce | diff |
-change | desk | similarity, each with --help. Sessions of the live server:
+change | decisions | desk | similarity, each with --help. Sessions of the live server:
 vrts grade [TASK] --session FILE.
 """
 
@@ -359,6 +359,7 @@ def write_lists(
     from vrts.marking.class_files import write_class, write_overview
     from vrts.marking.exports.unsafe_marks import after_marking
     from vrts.marking.exports.write import write_feedback
+    from vrts.marking.renewing.renewed import decided_before, write_sections
     from vrts.marking.similarity.corpus import NONE
     from vrts.marking.similarity.files import compare_class
 
@@ -369,6 +370,7 @@ def write_lists(
         intake_sha256=marked.intake_sha256,
         late=Late.of(marker.whole.task.late),
     )
+    write_sections(marked.rows.rows, layout, decided_before(layout))
     write_class(marked.rows, about, layout)
     write_feedback(marked.rows, layout)
     compare_class(marked, marker, layout, corpora or NONE)

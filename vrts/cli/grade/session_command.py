@@ -216,7 +216,9 @@ def _write(rows: "Class", about: "About", layout: "Layout") -> None:
 
     from vrts.marking.class_files import write_class
     from vrts.marking.exports.write import write_feedback
+    from vrts.marking.renewing.renewed import write_sections
 
+    write_sections(rows.rows, layout)
     write_class(rows, msgspec.structs.replace(about, finished=datetime.now(UTC)), layout)
     write_feedback(rows, layout)
     say(f"wrote {layout.overview}")

@@ -128,3 +128,8 @@ def _unknown(ready: Prepared, known: Collection[str]) -> Iterator[Diagnostic]:
     for name in ready.circular[:MOST]:
         headline = f"{name} is undone by what it undoes: it has no effect"
         yield warning(UNKNOWN, headline, help=("undo one of them once more",))
+
+
+def programs_of(rows: Sequence[Row]) -> dict[str, str]:
+    """Return by id the sha256 of the program that is marked, or `none`."""
+    return {row.id: program_of(undecided(row).result) for row in rows}

@@ -188,7 +188,9 @@ def _made(
     by_graders = [*changes, *([] if preferred is None else [preferred])]
     if not by_graders and not (items and steps.made):
         return Made(change=of_file)
-    return Made(tuple(steps.made), _change(row, steps, items, [*overrides, *by_graders]))
+    dates = [one.said.at[:10] for one in mine.given] if items else []
+    change = _change(row, steps, items, [*overrides, *by_graders], dates)
+    return Made(tuple(steps.made), change)
 
 
 class _Steps:
@@ -204,7 +206,11 @@ class _Steps:
 
 
 def _change(
-    row: Row, steps: _Steps, items: Sequence[Given], made: Sequence[Override]
+    row: Row,
+    steps: _Steps,
+    items: Sequence[Given],
+    made: Sequence[Override],
+    dates: Sequence[str],
 ) -> Change | None:
     if not steps.made:
         return None
@@ -214,7 +220,7 @@ def _change(
         str(steps.value - steps.before),
         "; ".join(dict.fromkeys(reasons)),
         ", ".join(dict.fromkeys(who)),
-        max((one.date for one in made), default=""),
+        max((*dates, *(one.date for one in made))),
         settled_by(made, row.result),
     )
 

@@ -3,9 +3,10 @@
 from collections.abc import Sequence
 from fractions import Fraction
 
+from vrts.marking.by_hand.decisions.words import due_words
 from vrts.marking.overview.links import staff_report
 from vrts.marking.overview.words import NONE, has_report, signed, tenth, who
-from vrts.marking.row import Change, Lateness, Row
+from vrts.marking.row import Decided, Lateness, Row
 from vrts.report.page.html import Markup, element
 from vrts.report.plain import one_line
 
@@ -14,7 +15,9 @@ FIRST = 12  # shown at once
 
 def changes(rows: Sequence[Row], *, pages: bool) -> Markup | None:
     """Return the table; None where every mark is as computed."""
-    found = [row for row in rows if _is_late(row) or row.change is not None]
+    found = [
+        row for row in rows if _is_late(row) or row.change is not None or row.decided is not None
+    ]
     if not found:
         return None
     rest = found[FIRST:]
@@ -46,7 +49,7 @@ def _row(row: Row, *, pages: bool) -> Markup:
         element("td", who(row, link)),
         element("td", tenth(row.result.mark), class_="number"),
         element("td", *_late(row.late)),
-        element("td", *_change(row.change)),
+        element("td", *_change(row)),
         element("td", element("b", tenth(row.final)), class_="number"),
     )
 
@@ -61,8 +64,31 @@ def _late(late: Lateness | None) -> tuple[str | Markup, ...]:
     return (cost, element("small", one_line(late.sentence)))
 
 
-def _change(change: Change | None) -> tuple[str | Markup, ...]:
+def _change(row: Row) -> tuple[str | Markup, ...]:
+    change, told = row.change, _told(row.decided)
     if change is None:
-        return (NONE,)
+        return (element("small", told),) if told else (NONE,)
     words = f"{one_line(change.reason)} ({one_line(change.who)}, {one_line(change.date)})"
-    return (element("b", signed(Fraction(change.delta))), element("small", words))
+    parts = [element("b", signed(Fraction(change.delta))), element("small", words)]
+    return (*parts, element("small", told)) if told else tuple(parts)
+
+
+def _told(decided: Decided | None) -> str:
+    """Return in short what graders have said."""
+    if decided is None:
+        return ""
+    found: list[str] = []
+    for count, what in (
+        (len(decided.items), "rubric item"),
+        (len(decided.comments), "comment"),
+        (len(decided.conflicts), "conflict"),
+        (len(decided.lapsed), "decision about another program"),
+    ):
+        if count:
+            plural = what.replace("decision", "decisions") if " about " in what else f"{what}s"
+            found.append(f"{count} {what if count == 1 else plural}")
+    if decided.due:
+        found.append(f"due {due_words(decided.due)}")
+    if decided.excused:
+        found.append(f"excused: {one_line(decided.excused)}")
+    return ", ".join(found)

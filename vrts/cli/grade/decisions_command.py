@@ -1,0 +1,181 @@
+"""`vrts grade decisions`."""
+
+import sys
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import TYPE_CHECKING, NoReturn
+
+import click
+
+from vrts.cli.shared.console import HOLDS, WRONG, fail, guarded, out, say, show_diagnostics
+from vrts.cli.shared.options import color_option, form_option
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from vrts.marking.by_hand.decisions.ledger import Ledger
+    from vrts.marking.by_hand.decisions.listing import Listing
+    from vrts.marking.by_hand.decisions.records import Decision
+    from vrts.marking.by_hand.decisions.state import State
+
+EPILOG = """\b
+Examples:
+  vrts grade decisions out
+  vrts grade decisions out --format json
+  vrts grade decisions out --undo r-huber:12 --who "A. Lang" --reason "wrong student"
+  vrts grade decisions out --keep r-huber:12 --who "A. Lang" --reason "as agreed"
+"""
+
+MOST_NAMES = 5  # of students in a line
+
+
+@click.command(name="decisions", epilog=EPILOG)
+@click.argument("folder", metavar="OUT", type=click.Path(path_type=Path))
+@click.option("--undo", multiple=True, metavar="NAME", help="Take back a decision. Repeatable.")
+@click.option(
+    "--keep", multiple=True, metavar="NAME", help="Settle a conflict: this decision counts."
+)
+@click.option("--who", help="Who decides that; needed with `--undo` and `--keep`.")
+@click.option("--reason", default="", help="Why; needed with `--keep`.")
+@form_option("full", "json")
+@color_option
+@guarded
+def command(
+    folder: Path,
+    undo: tuple[str, ...],
+    keep: tuple[str, ...],
+    who: str | None,
+    reason: str,
+    form: str,
+    color: str,
+) -> None:
+    """List what graders decided in OUT, and bring lists, feedback and pages up to date with it.
+
+    Every grader has a file in OUT/staff/decisions, to which is only ever added. You may copy files
+    of other graders into it. A decision is called after its file and number, such as r-huber:12.
+    What graders decided differently is a conflict: none of it counts, and the mark is unsafe until
+    somebody settles it with --keep, or takes one of the decisions back with --undo. Both are
+    decisions themselves, which --undo takes back. Nothing is deleted.
+
+    A decision about a program does not count for another one. It is listed, and the mark is unsafe
+    until it is taken back and decided anew. Exit status 1 while there are conflicts.
+    """
+    from vrts.marking.by_hand.by_hand import programs_of
+    from vrts.marking.by_hand.decisions.listing import listing
+    from vrts.marking.by_hand.decisions.state import state_of
+    from vrts.marking.layout import Layout
+    from vrts.marking.renewing.renewed import renewed
+
+    layout = Layout(folder)
+    if undo or keep:
+        _decide(layout.root, undo, keep, who, reason)
+    elif who or reason:
+        fail("`--who` and `--reason` are for `--undo` and `--keep`")
+    found = renewed(layout)
+    show_diagnostics(found.diagnostics, color)
+    ledger = found.by_hand.ledger
+    told = listing(ledger, state_of(ledger, programs_of(found.rows.rows)))
+    out(_json(told) if form == "json" else "\n".join(_lines(told, folder)))
+    if found.changed:
+        rows = "1 row" if len(found.changed) == 1 else f"{len(found.changed)} rows"
+        say(f"brought {rows} up to date in {layout.root}")
+    conflicts = any(row.decided and row.decided.conflicts for row in found.rows.rows)
+    sys.exit(WRONG if conflicts or told.conflicts else HOLDS)
+
+
+def _decide(
+    folder: Path, undo: "Sequence[str]", keep: "Sequence[str]", who: str | None, reason: str
+) -> None:
+    """Write down what is taken back and what is settled, all of it or nothing."""
+    from vrts.marking.appeals.written import read_written
+    from vrts.marking.by_hand.by_hand import programs_of
+    from vrts.marking.by_hand.decisions.files import add_decisions
+    from vrts.marking.by_hand.decisions.records import Undo
+    from vrts.marking.by_hand.decisions.state import state_of
+
+    if not who:
+        fail("say who decides that", ('`--who`, such as `--who "R. Huber"`',))
+    written = read_written(folder)
+    by_hand = written.by_hand()
+    ledger = by_hand.ledger
+    state = state_of(ledger, programs_of(written.rows.rows))
+    said: list[Decision] = []
+    if undo:
+        _require_there(ledger, undo)
+        said.append(Undo(0, "", tuple(dict.fromkeys(undo)), reason))
+    if keep and not reason.strip():
+        fail("`--keep` needs `--reason`: a student may ask")
+    said += [_kept(state, name, reason) for name in dict.fromkeys(keep)]
+    added = add_decisions(written.layout.decisions, who, said, datetime.now(UTC))
+    say(f"wrote {', '.join(one.name for one in added.records)}")
+
+
+def _require_there(ledger: "Ledger", names: "Sequence[str]") -> None:
+    """Refuse to take back what is not there, or was taken back already."""
+    from vrts.marking.by_hand.decisions.counting import counted
+
+    known = {one.name for one in ledger.records}
+    undone = counted(ledger.records).undone
+    for name in names:
+        if name not in known:
+            _refuse(f"there is no decision `{name}`", "without `--undo` all are listed")
+        if name in undone:
+            by = undone[name]
+            _refuse(f"`{name}` is taken back already, by `{by}`", f"to have it again, undo `{by}`")
+
+
+def _kept(state: "State", name: str, reason: str) -> "Decision":
+    """Return the decision that one side of a conflict counts."""
+    from vrts.marking.by_hand.decisions.records import Decide
+
+    sides = [one.sides for one in state.conflicts if name in {side.name for side in one.sides}]
+    if not sides:
+        _refuse(f"`{name}` is in no conflict", "conflicts stand first in the list")
+    over = dict.fromkeys(side.name for found in sides for side in found if side.name != name)
+    return Decide(0, "", name, tuple(over), reason)
+
+
+def _refuse(headline: str, remedy: str) -> NoReturn:
+    from vrts.base.diagnostic import error
+    from vrts.marking.by_hand.decisions.files import UNSOUND
+    from vrts.pipeline.refused import Refused
+
+    raise Refused((error(UNSOUND, headline, help=(remedy,)),))
+
+
+def _lines(told: "Listing", folder: Path) -> "Iterator[str]":
+    """Yield the list: what is not settled first."""
+    from vrts.report.plain import one_line
+
+    if not told.decisions:
+        yield "graders have decided nothing"
+        return
+    if told.conflicts:
+        yield "Conflicts:"
+    for conflict in told.conflicts:
+        about = f"{one_line(conflict.student)}: " if conflict.student else ""
+        yield f"  {about}{conflict.sentence}"
+        yield f"      settle it: vrts grade decisions {folder} --keep {conflict.records[0]} ..."
+    if told.items:
+        yield "Rubric items:"
+    for item in told.items:
+        count = "1 student" if len(item.students) == 1 else f"{len(item.students)} students"
+        ends = ", withdrawn" if item.withdrawn else ""
+        yield f"  {item.points:+g}  {one_line(item.title)} ({item.id}, {count}{ends})"
+    yield "Decisions:"
+    for one in told.decisions:
+        names = ", ".join(map(one_line, one.students[:MOST_NAMES]))
+        more = len(one.students) - MOST_NAMES
+        names += f" and {more} more" if more > 0 else ""
+        about = f"{names}: " if names else ""
+        yield f"  {one.record}  {one.at[:16].replace('T', ' ')}  {one.who}  {about}{one.sentence}"
+        if one.undone_by:
+            yield f"      taken back by {one.undone_by}"
+        if one.lapsed:
+            yield f"      about another program, and does not count: {', '.join(one.lapsed[:5])}"
+
+
+def _json(told: "Listing") -> str:
+    import msgspec
+
+    return msgspec.json.format(msgspec.json.encode(told), indent=1).decode()
