@@ -58,7 +58,7 @@ def with_best_attempts(
         for attempt in row.attempts:
             name = str(len(tried))
             tried[name] = (row, attempt)
-            asked.append(_entry(tree, name, row.title, attempt.file))
+            asked.append(_entry(tree, name, row.title, attempt.file, row.identifier))
     results = {done.entry.identifier: done.result for done in mark(asked)}
     chosen: dict[str, Found] = {}
     for row in several:
@@ -126,11 +126,11 @@ def nothing_late(rules: LateRules | None, found: Sequence[Found]) -> tuple[Diagn
     return (warning(NOTHING_LATE, headline, notes=(note,), help=remedies),)
 
 
-def _entry(tree: Tree, identifier: str, title: str, file: str) -> Entry:
+def _entry(tree: Tree, identifier: str, title: str, file: str, whose: str = "") -> Entry:
     try:
-        return Entry(identifier, title, data_of(tree, file))
+        return Entry(identifier, title, data_of(tree, file), whose=whose)
     except Unreadable as flaw:
-        return Entry(identifier, title, None, Kind.UNREAD, f"`{title}` {flaw}")
+        return Entry(identifier, title, None, Kind.UNREAD, f"`{title}` {flaw}", whose=whose)
 
 
 def _late(found: Found, result: Result, rules: LateRules | None) -> Lateness | None:

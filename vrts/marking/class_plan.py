@@ -1,6 +1,6 @@
 """From a download to the plan of marking it on other machines, and back to the list of marks."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from hashlib import sha256
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -14,17 +14,20 @@ from vrts.marking.class_marks import class_row, entries, nothing_late
 from vrts.marking.intake.tables.intake_table import write_rows
 from vrts.marking.intake.tree.opening import open_place
 from vrts.marking.layout import RESULT, Layout, write_atomically
-from vrts.marking.marking import Done, mark_class
+from vrts.marking.marking import Done, Entry, mark_class
 from vrts.marking.remote.at_home import AtHome
 from vrts.marking.remote.plan import Key, Plan, make_plan
 from vrts.marking.result import from_bytes
 from vrts.marking.row import Class
 from vrts.marking.submission.marker import Marker
 from vrts.marking.submission.setting import Place
+from vrts.marking.variants.doubts import doubts_of, with_doubt
+from vrts.marking.variants.marker import write_variants
 from vrts.marking.whole_class import (
     HowTo,
     Marked,
     name_of,
+    of_class,
     table_for,
     take_in_class,
     was_edited,
@@ -64,14 +67,22 @@ def plan_class(
     assert task is not None
     with open_place(submissions) as tree, TemporaryDirectory(prefix="vrts-") as staging:
         table = table_for(submissions, tree, None, how)
+        own, variants = of_class(marker), Path(staging) / "variants"
+
+        def mark(asked: Sequence[Entry]) -> Iterable[Done]:
+            return mark_class(marker, asked, None, jobs=how.jobs, staging=Path(staging))
+
         taken = take_in_class(
             task,
             tree,
             table.path,
-            lambda asked: mark_class(marker, asked, None, jobs=how.jobs, staging=Path(staging)),
+            mark,
             how,
+            known=lambda rows: None if own is None else own.assign(rows, variants),
         )
         found = tuple(entries(tree, taken.rows))
+        doubts = {} if own is None else doubts_of(own, found, mark)
+        packed = {path.stem: path.read_bytes() for path in sorted(variants.glob("*.zip"))}
         plan = make_plan(marker, found, shards)
     remarks = (*table.remarks, *taken.remarks)
     home = AtHome(
@@ -83,6 +94,8 @@ def plan_class(
         remarks,
         write_rows(taken.rows, download=name_of(submissions)),
         table.path is not None,
+        packed,
+        doubts,
     )
     plan = plan._replace(key=structs.replace(plan.key, home=home))
     return PlannedClass(plan, remarks, (*taken.warnings, *nothing_late(task.late, taken.rows)))
@@ -124,7 +137,8 @@ def merged_class(marker: Marker, home: AtHome, layout: Layout) -> Marked:
         raise _edited_since(layout, home)
     names = [row.identifier for row in home.found]
     changes = load_by_hand(layout, names, task.mark.total, task.late)
-    done = tuple(
+    write_variants(home.variants, layout)
+    read = (
         Done(
             entry,
             from_bytes((layout.grader(entry.identifier) / RESULT).read_bytes()),
@@ -135,6 +149,7 @@ def merged_class(marker: Marker, home: AtHome, layout: Layout) -> Marked:
         )
         for entry in home.entries
     )
+    done = tuple(with_doubt(one, home.doubts, layout) for one in read)
     rows = tuple(
         with_by_hand(class_row(found, one.result, task.late), changes)
         for found, one in zip(home.found, done, strict=True)

@@ -20,6 +20,7 @@ class Layout:
         self.overview = self.staff / "index.html"
         self.results = self.staff / "results.json"
         self.intake = self.staff / "intake.csv"
+        self.variants = self.staff / "variants"  # tasks by which students were marked, by tag
         self.overrides = self.staff / "overrides.toml"
         self.decisions = self.staff / "decisions"  # a file for each grader
 

@@ -38,6 +38,12 @@ class Entry(NamedTuple):
     kind: Kind | None = None  # why there is no program
     sentence: str = ""  # the same in words
     hint: str | None = None
+    whose: str = ""  # of whose attempts it is one; "": the identifier tells
+
+    @property
+    def student(self) -> str:
+        """The identifier of the student whose program it is."""
+        return self.whose or self.identifier
 
 
 class Done(NamedTuple):
@@ -87,7 +93,7 @@ def mark_class(
             yield found
             continue
         known[entry.identifier] = entry
-        orders.append(Order(entry.identifier, entry.title, entry.data))
+        orders.append(Order(entry.identifier, entry.title, entry.data, entry.whose))
     if not orders:
         return
     place = staging if layout is None else layout.staging
@@ -174,7 +180,8 @@ def reusable(marker: Marker, entry: Entry, layout: Layout) -> Done | None:
         return None
     staff, student = found
     data = entry.data
-    same = (staff.key, student.key) == (marker.key(data), marker.public_key(data))
+    own = marker.of(entry.student)
+    same = (staff.key, student.key) == (own.key(data), own.public_key(data))
     kept = staff.kind not in (Kind.RESOURCE, Kind.FAULT)
     named = staff.program is not None and staff.program.name == entry.title
     if not (same and kept and named) or not _files_there(marker, staff, homes):

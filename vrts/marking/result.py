@@ -157,6 +157,13 @@ class Mending(Record, frozen=True):
     ] = None
 
 
+class OfVariant(Record, frozen=True, omit_defaults=True):
+    """Which variant of its task a program was marked by."""
+
+    tag: Annotated[str, Meta(description="what the variant is called; empty: the task as written")]
+    doubt: Annotated[str, Meta(description="why it may be the wrong one; for those who mark")] = ""
+
+
 class Result(Record, frozen=True, omit_defaults=True):
     """What vrts found out about one submission."""
 
@@ -189,6 +196,9 @@ class Result(Record, frozen=True, omit_defaults=True):
     ] = None
     total: Annotated[Mark, Meta(description="the mark is out of so many points")] = 10.0
     mending: Mending | None = None
+    variant: Annotated[
+        OfVariant | None, Meta(description="of a task that is another for each student")
+    ] = None
 
     @property
     def exact_total(self) -> Fraction:

@@ -14,6 +14,7 @@ from vrts.marking.marking import Done, Entry, mark_class
 from vrts.marking.result import Kind
 from vrts.marking.submission.marker import Marker
 
+OTHERS = ("variant",)  # depends on the others of the class
 STAFF, STUDENT = "for those who mark", "for the student"
 
 
@@ -52,7 +53,7 @@ def verify_sample(
         found[name] = tuple(
             Unlike(name, whose, difference)
             for whose, old, new in pairs
-            if (difference := next(differences(old, new), None)) is not None
+            if (difference := next(differences(old, new, OTHERS), None)) is not None
         )
     return tuple(unlike for one in chosen for unlike in found[one.entry.identifier])
 
@@ -74,7 +75,8 @@ def mark_again(marker: Marker, entries: Sequence[Entry], *, jobs: int = 1) -> It
     with TemporaryDirectory(prefix="vrts-") as staging:
         for one in mark_class(quiet, entries, None, jobs=jobs, staging=Path(staging)):
             assert one.entry.data is not None
-            keys = marker.key(one.entry.data), marker.public_key(one.entry.data)
+            own = marker.of(one.entry.student)
+            keys = own.key(one.entry.data), own.public_key(one.entry.data)
             yield one._replace(
                 result=msgspec.structs.replace(one.result, key=keys[0]),
                 student=msgspec.structs.replace(one.student, key=keys[1]),

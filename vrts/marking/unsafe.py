@@ -22,6 +22,7 @@ class Reason(Enum):
     UNREAD = "unread"  # the file is there, and could not be read
     CONFLICT = "conflict"  # graders have decided differently
     LAPSED = "lapsed"  # what graders decided was about another program
+    VARIANT = "variant"  # by whose numbers it has to be marked is not clear
     ALTERED = "altered"  # task, scene or controller are not those that were handed out
     VERSION = "version"  # another vrts than the task wants
     HIDDEN = "hidden"  # hidden checks were not made
@@ -49,6 +50,8 @@ REMEDIES = {
     " take one back with `--undo NAME`",
     Reason.LAPSED: "look at the program that is marked now, decide anew, and take back what was"
     " decided before with `vrts grade decisions OUT --undo NAME`",
+    Reason.VARIANT: "look whose program it is, and decide; `variants.csv` of `vrts task variants`"
+    " tells who has which",
     Reason.ALTERED: "mark again with the task that was handed out",
     Reason.VERSION: "mark again with a vrts that the task names",
     Reason.HIDDEN: "mark again with the staff's task, in which the hidden checks are",
@@ -93,6 +96,8 @@ def _found(result: Result, untimed: str) -> Iterator[Doubt]:
         for text in result.review or (result.cause,):
             yield Doubt(WITHOUT_MARK[result.kind], text)
         return
+    if result.variant is not None and result.variant.doubt:
+        yield Doubt(Reason.VARIANT, result.variant.doubt)
     for text in result.review:
         yield Doubt(Reason.UNDETERMINED, text.removeprefix(f"{REVIEW}: "))
     if result.mark is None:

@@ -37,6 +37,8 @@ from vrts.marking.remote.mark_on_dask import mark_on_dask
 from vrts.marking.result import Damaged
 from vrts.marking.row import Class, Row
 from vrts.marking.submission.marker import Marker
+from vrts.marking.variants.doubts import doubts_of, with_doubt
+from vrts.marking.variants.of_class import MarkerOfClass
 from vrts.pipeline.files import CannotRead, read_bytes
 from vrts.pipeline.refused import Refused
 
@@ -118,14 +120,24 @@ def mark_whole_class(
                 staging=Path(staging),
             )
 
+        own = of_class(marker)
+        variants = Path(staging) / "variants" if layout is None else layout.variants
         table, about_table = table_for(submissions, tree, layout, how)
         found, remarks, warnings = take_in_class(
-            task, tree, table, lambda asked: mark(asked, None, None), how
+            task,
+            tree,
+            table,
+            lambda asked: mark(asked, None, None),
+            how,
+            known=lambda rows: None if own is None else own.assign(rows, variants),
         )
         named, key = found, None
         if how.pseudonyms and layout is not None:
             key = key_for(layout)
             tree, found = pseudonymised(tree, named, key)
+            if own is not None:
+                pairs = zip(named, found, strict=True)
+                own.renamed({row.identifier: nameless.identifier for row, nameless in pairs})
         if not found:
             what = f"`{name_of(submissions)}` holds" if name_of(submissions) else "the files hold"
             raise CannotRead(f"nothing was handed in: {what} no program", remarks)
@@ -137,7 +149,11 @@ def mark_whole_class(
         done: dict[str, Done] = {}
         rows: dict[str, Row] = {}
         by_name = {row.identifier: row for row in found}
-        for one in mark(tuple(entries(tree, found)), layout, how.backend):
+        asked, doubts = tuple(entries(tree, found)), dict[str, str]()
+        if own is not None:
+            doubts = doubts_of(own, asked, lambda few: mark(few, None, None), nameless=bool(key))
+        for made in mark(asked, layout, how.backend):
+            one = made if own is None else with_doubt(made, doubts, layout)
             name = one.entry.identifier
             done[name] = one
             rows[name] = with_by_hand(class_row(by_name[name], one.result, task.late), changes)
@@ -169,6 +185,21 @@ def mark_whole_class(
     )
 
 
+def of_class(marker: Marker) -> MarkerOfClass | None:
+    """Return what marks each student by an own variant; None where all have one task.
+
+    Raises:
+        CannotRead: The task has variants, and nobody has said whose is whose.
+    """
+    assert marker.whole.task is not None
+    if isinstance(marker, MarkerOfClass):
+        return marker
+    if marker.whole.task.variants is None:
+        return None
+    hint = "`vrts grade TASK SUBMISSIONS --roster LIST -o OUT` does"
+    raise CannotRead("each student has a variant of this task: this does not mark by it", (hint,))
+
+
 class TakenIn(NamedTuple):
     """Who handed in what, as the teacher wants it marked."""
 
@@ -178,7 +209,12 @@ class TakenIn(NamedTuple):
 
 
 def take_in_class(
-    task: Task, tree: Tree, table: Path | None, mark: Mark, how: HowTo = USUAL
+    task: Task,
+    tree: Tree,
+    table: Path | None,
+    mark: Mark,
+    how: HowTo = USUAL,
+    known: Callable[[Sequence[Found]], None] = lambda _: None,
 ) -> TakenIn:
     """Return the rows of a class: those of the edited table, with the attempts that count.
 
@@ -188,6 +224,7 @@ def take_in_class(
         table: As edited; None: there is none.
         mark: Marks attempts without writing anything.
         how: The class's list, and the zone of times.
+        known: Told the rows before anything is marked.
 
     Raises:
         CannotRead: The table or the list is not there.
@@ -200,6 +237,7 @@ def take_in_class(
     if how.only is not None:
         found = tuple(row for row in found if row.identifier in how.only)
     found, about_exam = counted(found, task.late)
+    known(found)
     if task.keep is Keep.BEST:
         found = with_best_attempts(tree, found, task.late, mark)
     return TakenIn(found, intake.remarks, (*warnings, *about_exam))

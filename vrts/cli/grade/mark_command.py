@@ -21,6 +21,7 @@ from vrts.cli.grade.options import (
     results_option,
     roster_option,
     table_option,
+    variants_key_option,
     zone_option,
 )
 from vrts.cli.grade.what_to_mark import require_folder, what_to_mark
@@ -93,6 +94,7 @@ vrts grade [TASK] --session FILE.
 @results_option
 @jobs_option("Programs at a time; without it one per core.")
 @table_option
+@variants_key_option
 @roster_option()
 @zone_option
 @click.option(
@@ -145,6 +147,7 @@ def command(
     jobs: int | None,
     table: Path | None,
     class_list: Path | None,
+    variants_key: Path | None,
     zone: str | None,
     backend: str | None,
     formats: tuple[str, ...],
@@ -188,15 +191,15 @@ def command(
     from vrts.marking.privacy.pseudonyms import require_names
     from vrts.marking.remote.backend import read_backend
     from vrts.marking.similarity.corpus import read_corpora
-    from vrts.marking.submission.marker import Marker
     from vrts.marking.submission.one import Wanted
+    from vrts.marking.variants.of_class import marker_for
     from vrts.marking.whole_class import HowTo
 
     place, found = what_to_mark(task, submissions, lab)
     require_folder(folder)
     pages = folder is not None and not no_pages
     wanted = Wanted(not no_collisions, engine, pages, recordings and folder is not None, mend)
-    marker = Marker(place, wanted)
+    marker = marker_for(place, wanted, class_list, variants_key)
     layout = None if folder is None else Layout(folder)
     if formats and layout is None:
         fail("`--export` needs a folder for results", ("name it with `-o`",))

@@ -8,8 +8,8 @@ from vrts.cli.shared.options import Option, file_option
 
 ALL = "all"  # in place of reasons
 DESPITE = (
-    *("crashed", "resource", "ambiguous", "unread", "conflict", "lapsed", "altered", "version"),
-    *("hidden", "unchecked", "undetermined", "late", ALL),
+    *("crashed", "resource", "ambiguous", "unread", "conflict", "lapsed", "variant", "altered"),
+    *("version", "hidden", "unchecked", "undetermined", "late", ALL),
 )  # a test holds them against the reasons, which are imported when they are used
 SETTLED = tuple(name for name in DESPITE if name not in ("conflict", "lapsed"))  # by `change`
 
@@ -64,6 +64,13 @@ def roster_option(also: str = "") -> Option[Any]:
     """Return `--roster`; `also` is what else a command takes from it."""
     says = "Moodle's grading worksheet, or the grade book of Canvas: names, ids, who is missing"
     return file_option("--roster", "class_list", help=f"{says}{also}.")
+
+
+variants_key_option = file_option(
+    "--key",
+    "variants_key",
+    help="The key of a task with variants; without it variants.key beside TASK.",
+)
 
 
 def despite_option() -> Option[Any]:

@@ -42,6 +42,7 @@ from vrts.marking.result import SCORING, Damaged, Result, from_bytes
 from vrts.marking.row import Row
 from vrts.marking.submission.marker import Marker
 from vrts.marking.submission.report_files import FAULT, RECORDING, REPORT
+from vrts.marking.variants.marker import variant_place
 from vrts.pipeline.refused import Refused
 
 LIBRARIES = ("numpy", "coal", "python-fcl", "pin", "msgspec", "rerun-sdk")
@@ -66,8 +67,9 @@ def pack_evidence(
     by_hand = written.by_hand()
     row = undecided(written.row(student))
     files = _results(written, row)
-    place = written.about.place
-    if task is not None:
+    own = variant_place(written.layout, row.result)  # kept as it was, whatever the task is now
+    place = own or written.about.place
+    if task is not None and own is None:
         place = msgspec.structs.replace(place, task=str(task))
     inside, of_task = task_files(place, row.result)
     files.update(of_task)

@@ -14,7 +14,7 @@ from vrts.marking.appeals.unpacked import unpacked_place
 from vrts.marking.differences import Difference, differences
 from vrts.marking.marking import Entry
 from vrts.marking.result import Result
-from vrts.marking.sample import STAFF, STUDENT, mark_again
+from vrts.marking.sample import OTHERS, STAFF, STUDENT, mark_again
 from vrts.marking.submission.marker import Marker, versions_of_scoring
 from vrts.marking.submission.setting import Place
 from vrts.run_files.proving import Proof
@@ -54,7 +54,7 @@ def reproduce(evidence: Evidence) -> Reproduced | None:
         (done,) = mark_again(marker, [entry])
     made = evidence.staff.versions
     same_version = (made.vrts, str(made.scoring)) == versions_of_scoring()
-    without = () if same_version else OF_VERSIONS
+    without = OTHERS if same_version else (*OF_VERSIONS, *OTHERS)
     if evidence.staff.controller is None:  # which results did not tell
         without = (*without, "controller")
     for whose, old, new in (

@@ -41,7 +41,7 @@ def task_files(place: Place, result: Result) -> tuple[Place, dict[str, bytes]]:
             headline = f"`{name.split('/')[-1]}` cannot be packed under this name"
             remedy = "rename the file to letters, digits, `_`, `-` and `.`, and mark again"
             raise Refused((error(OTHER_TASK, headline, help=(remedy,)),))
-    return Place(TASK, **inside), files
+    return Place(TASK, **inside, variant=place.variant), files
 
 
 def _packed(path: Path, place: Place, result: Result) -> bytes:

@@ -24,4 +24,10 @@ def unpacked_place(inside: Place, files: Mapping[str, bytes], folder: Path) -> P
     def path(name: str | None) -> str | None:
         return None if name is None else str(folder / name)
 
-    return Place(str(folder / TASK), path(inside.scene), path(inside.scenario), path(inside.lab))
+    return Place(
+        str(folder / TASK),
+        path(inside.scene),
+        path(inside.scenario),
+        path(inside.lab),
+        variant=inside.variant,
+    )

@@ -31,6 +31,7 @@ RESULTS = "results.json"
 FOLDERS = (
     *(STUDENTS, f"{STAFF}/{STUDENTS}", f"{STAFF}/exports", f"{STAFF}/{STAGING}"),
     f"{STAFF}/{COMPARED}",
+    f"{STAFF}/variants",
 )
 FILES = (
     *(

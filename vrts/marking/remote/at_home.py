@@ -1,5 +1,7 @@
 """What of a class stays at home while it is marked elsewhere: all that lists of marks need."""
 
+from msgspec import field
+
 from vrts.marking.intake.row import Row
 from vrts.marking.marking import Entry
 from vrts.marking.result import Record
@@ -18,3 +20,5 @@ class AtHome(Record, frozen=True):
     remarks: tuple[str, ...]  # of the intake
     intake: bytes  # the table of `found`
     edited: bool  # whether a teacher's table was obeyed
+    variants: dict[str, bytes] = field(default_factory=dict[str, bytes])  # packed tasks by tag
+    doubts: dict[str, str] = field(default_factory=dict[str, str])  # of a variant's being right

@@ -147,7 +147,8 @@ def take(
             why = f"the result of `{naming.identifier}` is not taken: {problem}"
             findings.append(_unfit(marked, sent, why))
             continue
-        marks = Marks(_home(row.staff, naming, key.staff), _home(row.student, naming, key.student))
+        homes = entry.homes or (key.staff, key.student)
+        marks = Marks(_home(row.staff, naming, homes[0]), _home(row.student, naming, homes[1]))
         if layout is not None:
             _write_marked(marks, row.files, entry, layout)
         rows.append(HomeRow(naming, marks, row.seconds, row.peak))
@@ -178,9 +179,10 @@ def _check(row: MarkedRow, entry: Expected, key: Key) -> None:
     Raises:
         NotTaken: They are not, or do not.
     """
+    staff, student = entry.homes or (key.staff, key.student)
     for result, home, expected in (
-        (row.staff, key.staff, entry.staff),
-        (row.student, key.student, entry.student),
+        (row.staff, staff, entry.staff),
+        (row.student, student, entry.student),
     ):
         if result.id != entry.naming.pseudonym:
             raise NotTaken("it is of another submission")

@@ -42,14 +42,7 @@ class Expected(Record, frozen=True):
     staff: Digest  # keys that its results must have
     student: Digest
     program: Digest
-
-
-class Sent(Record, frozen=True):
-    """A shard that goes out."""
-
-    number: int
-    sha256: Digest
-    entries: tuple[Expected, ...]
+    homes: tuple["Home", "Home"] | None = None  # of its own variant, for staff and student
 
 
 class Home(Record, frozen=True):
@@ -58,6 +51,14 @@ class Home(Record, frozen=True):
     task: Named
     scene: Named
     total: float | None = None  # points; None: of a plan that did not say
+
+
+class Sent(Record, frozen=True):
+    """A shard that goes out."""
+
+    number: int
+    sha256: Digest
+    entries: tuple[Expected, ...]
 
 
 class Other(Record, frozen=True):
@@ -102,14 +103,18 @@ def make_plan(
         CannotRead: A file of the task cannot be taken along.
         Refused: The task has errors.
     """
+    named = [(e, named_anew(e.identifier, e.title)) for e in entries if e.data is not None]
+    own = {naming.pseudonym: marker.of(entry.student).place for entry, naming in named}
+    tags = {name: place.variant for name, place in own.items() if place.variant}
     job = Job(
         secrets.token_hex(8),
         new_secret(),
         portable(marker.place),
         marker.wanted,
         limits or marker.limits,
+        {place.variant: portable(place) for place in own.values() if place.variant},
+        tags,
     )
-    named = [(e, named_anew(e.identifier, e.title)) for e in entries if e.data is not None]
     expected = {naming.pseudonym: _expected(marker, entry, naming) for entry, naming in named}
     cuts = tuple(cut(job, named, shards))
     sent = tuple(
@@ -183,7 +188,9 @@ def _expected(marker: Marker, entry: Entry, naming: Naming) -> Expected:
     assert entry.data is not None
     data = entry.data
     program = hashlib.sha256(data).hexdigest()
-    return Expected(naming, marker.key(data), marker.public_key(data), program)
+    own = marker.of(entry.student)
+    homes = None if own.variant is None else (_home(own.whole), _home(own.public))
+    return Expected(naming, own.key(data), own.public_key(data), program, homes)
 
 
 def _other(marker: Marker, entry: Entry) -> Other:

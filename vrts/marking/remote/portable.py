@@ -27,6 +27,7 @@ class PortableTask(Record, frozen=True):
     scene: Laid | None = None
     scenario: Laid | None = None
     lab: Laid | None = None
+    variant: str | None = None  # tag of the variant that the task is
 
 
 def portable(place: Place) -> PortableTask:
@@ -44,18 +45,21 @@ def portable(place: Place) -> PortableTask:
         None if scene is None else _laid(scene),
         None if place.scenario is None else _laid(Path(place.scenario)),
         None if place.lab is None else _laid(Path(place.lab)),
+        place.variant,
     )
 
 
 def settle(task: PortableTask, folder: Path) -> Place:
     """Write a task into a folder of our own; return where it is now."""
     place = folder / _TASK
+    folder.mkdir(parents=True, exist_ok=True)
     place.write_bytes(task.packed)
     written: dict[str, str | None] = {
         part: None if laid is None else _write(laid, folder / part)
         for part, laid in (("scene", task.scene), ("scenario", task.scenario), ("lab", task.lab))
     }
-    return Place(str(place), written["scene"], written["scenario"], written["lab"])
+    scene, scenario, lab = (written[part] for part in ("scene", "scenario", "lab"))
+    return Place(str(place), scene, scenario, lab, variant=task.variant)
 
 
 def _packed(path: Path) -> bytes:

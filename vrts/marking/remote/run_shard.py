@@ -9,6 +9,7 @@ from vrts.marking.remote.marked import results_zip
 from vrts.marking.remote.portable import settle
 from vrts.marking.remote.shard import Shard, digest_of
 from vrts.marking.submission.marker import Marker
+from vrts.marking.variants.marker import VariantsMarker
 
 
 def run_shard(
@@ -33,7 +34,7 @@ def run_shard(
         Refused: The task has errors.
     """
     work.mkdir(parents=True, exist_ok=True)
-    marker = Marker(settle(shard.task, work), shard.wanted)
+    marker = _marker(shard, work)
     entries = [Entry(piece.pseudonym, piece.label, piece.program) for piece in shard.pieces]
     layout = Layout(work / "out")
     rows: dict[str, Done] = {}
@@ -41,3 +42,13 @@ def run_shard(
         rows[row.entry.identifier] = row
         done(row)
     return results_zip(shard, digest_of(data), rows, layout)
+
+
+def _marker(shard: Shard, work: Path) -> Marker:
+    """Return what marks the programs of a shard, each by its variant where there are such."""
+    place = settle(shard.task, work)
+    if not shard.variants:
+        return Marker(place, shard.wanted)
+    variants = [settle(task, work / "variants" / tag) for tag, task in shard.variants.items()]
+    tags = {piece.pseudonym: piece.variant for piece in shard.pieces}
+    return VariantsMarker(place, shard.wanted, variants, tags)

@@ -5,7 +5,8 @@ Its secret signs its results.
 """
 
 import hashlib
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from types import MappingProxyType
 from typing import Annotated, Literal, NamedTuple
 
 import msgspec
@@ -30,6 +31,9 @@ UNSIGNED = "vrts.shard/1"  # of a vrts that signed nothing
 LARGEST = 1_000_000_000  # bytes of a shard
 PlanId = Annotated[str, Meta(pattern=r"^[0-9a-f]{16}$")]
 Number = Annotated[int, Meta(ge=1, le=100_000)]
+Tag = Annotated[str, Meta(pattern=r"^[a-z]{4}-[a-z]{4}$")]  # a name of files, too
+NO_VARIANTS: Mapping[str, PortableTask] = MappingProxyType({})
+NO_TAGS: Mapping[str, str] = MappingProxyType({})
 
 
 class Piece(Record, frozen=True):
@@ -38,6 +42,7 @@ class Piece(Record, frozen=True):
     pseudonym: Pseudonym
     label: Label
     program: bytes
+    variant: str = ""  # tag of the variant that it is marked by; "": the task as it is
 
 
 class Shard(Record, frozen=True):
@@ -52,6 +57,9 @@ class Shard(Record, frozen=True):
     limits: Limits
     pieces: tuple[Piece, ...]
     secret: Secret | None = None  # signs the results; None: of a vrts that signed nothing
+    variants: dict[Tag, PortableTask] = msgspec.field(
+        default_factory=dict[Tag, PortableTask]
+    )  # of those in it, where students have variants of their own
 
     @property
     def longest_s(self) -> float:
@@ -76,6 +84,8 @@ class Job(NamedTuple):
     task: PortableTask
     wanted: Wanted
     limits: Limits
+    variants: Mapping[str, PortableTask] = NO_VARIANTS  # by tag
+    tags: Mapping[str, str] = NO_TAGS  # which is whose, by pseudonym
 
 
 def cut(job: Job, entries: Sequence[tuple[Entry, Naming]], count: int) -> Iterator[Cut]:
@@ -84,7 +94,7 @@ def cut(job: Job, entries: Sequence[tuple[Entry, Naming]], count: int) -> Iterat
     for k in range(count):
         part = entries[k * len(entries) // count : (k + 1) * len(entries) // count]
         pieces = [
-            Piece(naming.pseudonym, naming.label, entry.data)
+            Piece(naming.pseudonym, naming.label, entry.data, job.tags.get(naming.pseudonym, ""))
             for entry, naming in part
             if entry.data is not None
         ]
@@ -98,6 +108,7 @@ def cut(job: Job, entries: Sequence[tuple[Entry, Naming]], count: int) -> Iterat
             job.limits,
             tuple(pieces),
             secret_of_shard(job.secret, job.plan, k + 1),
+            {p.variant: job.variants[p.variant] for p in pieces if p.variant},
         )
         data = msgspec.json.encode(shard) + b"\n"
         yield Cut(shard.number, data, tuple(naming for _, naming in part), shard.longest_s)
@@ -126,6 +137,8 @@ def read_shard(data: bytes) -> Shard:
         raise _bad(str(problem)) from problem
     if (shard.secret is None) != (shard.schema == UNSIGNED):
         raise _bad("what signs its results is missing")
+    if not {piece.variant for piece in shard.pieces} <= {"", *shard.variants}:
+        raise _bad("a variant is missing")
     if len({piece.pseudonym for piece in shard.pieces}) != len(shard.pieces):
         raise _bad("a submission is in it twice")
     if shard.vrts != __version__:

@@ -21,7 +21,16 @@ from vrts.check.mark.earned import not_reached
 from vrts.controllers.models import FIRST
 from vrts.controllers.values import digest
 from vrts.marking.proposer.by_name import By, by_name
-from vrts.marking.result import SCORING, Damaged, Kind, Record, Result, decoded, key_of
+from vrts.marking.result import (
+    SCORING,
+    Damaged,
+    Kind,
+    OfVariant,
+    Record,
+    Result,
+    decoded,
+    key_of,
+)
 from vrts.marking.submission.mending import would_do
 from vrts.marking.submission.one import Marked, Order, Wanted, mark, refused
 from vrts.marking.submission.report_files import FAULT, RECORDING, REPORT, Reader, write_files
@@ -70,6 +79,12 @@ class Marker:
         known = {entry.check for entry in not_reached(self.public.task)}
         every = {entry.check for entry in not_reached(self.whole.task)}
         self.hidden = frozenset(every - known)  # names of checks
+        self.variant = place.variant and OfVariant(place.variant)
+
+    def of(self, identifier: str) -> "Marker":
+        """Return what marks the program of a student: it may have a variant of its own."""
+        del identifier
+        return self
 
     @property
     def limits(self) -> Limits:
@@ -170,7 +185,7 @@ class Marker:
         """Return the results of a submission that has no mark."""
         staff = unmarked(kind, identifier, sentence, hint, self.whole, self.key(data))
         student = unmarked(kind, identifier, sentence, hint, self.public, self.public_key(data))
-        return Marks(staff, student)
+        return Marks(self._of_variant(staff), self._of_variant(student))
 
     def refused(self, identifier: str, title: str, sentence: str, folder: Path) -> Marks:
         """Return the results of a file that is no program, and write its pages."""
@@ -196,9 +211,12 @@ class Marker:
         hidden = () if student else self.hidden
         key = (self.public_key if student else self.key)(data or b"")
         if row.fault is not None:
-            found = result_of(a, setting, data, key, hidden)
+            found = self._of_variant(result_of(a, setting, data, key, hidden))
             return structs.replace(found, kind=Kind.FAULT, mark=None, review=(found.cause,))
-        return result_of(a, setting, data, key, hidden)
+        return self._of_variant(result_of(a, setting, data, key, hidden))
+
+    def _of_variant(self, result: Result) -> Result:
+        return structs.replace(result, variant=self.variant) if self.variant else result
 
 
 class Told(Record, frozen=True):

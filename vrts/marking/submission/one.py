@@ -31,6 +31,7 @@ class Order(NamedTuple):
     identifier: str  # unique, safe for file names
     title: str  # as shown
     data: bytes
+    whose: str = ""  # of whose attempts it is one; "": the identifier tells
 
 
 class Wanted(Record, frozen=True):

@@ -17,6 +17,7 @@ class Place(Record, frozen=True):
     scenario: str | None = None
     lab: str | None = None
     controller: str | None = None  # model of then, to mark again what was marked before
+    variant: str | None = None  # tag of the variant that the task is; None: it has none
 
 
 def load(place: Place, *, staff: bool) -> Setting:

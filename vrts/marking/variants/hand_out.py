@@ -10,7 +10,6 @@ from vrts.base.diagnostic import Diagnostic
 from vrts.base.safe_names import safe
 from vrts.base.zips import packed_in_turn
 from vrts.check.variants.drawn import drawn
-from vrts.marking.exports.folders import MODE
 from vrts.marking.intake.row import Platform
 from vrts.marking.intake.tables.table_text import BOM, field
 from vrts.marking.variants.class_list import ClassList, Member
@@ -20,6 +19,7 @@ TABLE = "variants.csv"
 STUDENTS = "students"
 MOODLE = "moodle-feedback.zip"
 _NUMBER = re.compile(r"-?\d+(\.\d+)?")
+MODE = 0o644  # of members
 COLUMNS = ("id", "name", "email", "variant", "zip")
 MOST_TOLD = 20  # diagnostics of variants that are no sound tasks
 

@@ -11,6 +11,7 @@ from vrts.cli.grade.options import (
     recordings_option,
     roster_option,
     table_option,
+    variants_key_option,
     zone_option,
 )
 from vrts.cli.grade.what_to_mark import require_folder, what_to_mark
@@ -59,6 +60,7 @@ and then on your own machine:
 )
 @table_option
 @roster_option()
+@variants_key_option
 @zone_option
 @no_pages_option("Results only, no pages.")
 @recordings_option("A Rerun recording of every run.")
@@ -76,6 +78,7 @@ def command(
     overwrite: bool,
     table: Path | None,
     class_list: Path | None,
+    variants_key: Path | None,
     zone: str | None,
     no_pages: bool,
     recordings: bool,
@@ -99,8 +102,8 @@ def command(
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before numpy: threads do not fork
     from vrts.marking.class_plan import plan_class
     from vrts.marking.remote.plan import KEY, SHARDS, write_plan
-    from vrts.marking.submission.marker import Marker
     from vrts.marking.submission.one import Wanted
+    from vrts.marking.variants.of_class import marker_for
     from vrts.marking.whole_class import HowTo
 
     require_folder(folder)
@@ -108,7 +111,8 @@ def command(
         hints = ("`--overwrite` plans again; results of the old plan cannot be merged then",)
         fail(f"there is a plan in `{folder}` already", hints)
     place, found = what_to_mark(task, submissions, lab)
-    marker = Marker(place, Wanted(not no_collisions, engine, not no_pages, recordings, mend))
+    wanted = Wanted(not no_collisions, engine, not no_pages, recordings, mend)
+    marker = marker_for(place, wanted, class_list, variants_key)
     how = HowTo(
         os.cpu_count() or 1,
         table=table,

@@ -1,0 +1,142 @@
+"""Programs that seem to be made for the variant of somebody else.
+
+Two things tell: a comment that names another variant, and given or taught places that are exactly
+those of another variant. Neither changes a mark: a person looks at it.
+"""
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import NamedTuple
+
+import msgspec
+
+from vrts.assignments.variants.handed_out import tags_in
+from vrts.assignments.variants.places import Values, shown, taught
+from vrts.marking.layout import Layout
+from vrts.marking.marking import Done, Entry, write_marks
+from vrts.marking.result import OfVariant, Result
+from vrts.marking.submission.marker import Marks
+from vrts.marking.variants.class_list import shown_names
+from vrts.marking.variants.of_class import MarkerOfClass
+
+NOBODY = "it is by nobody in the list of the class: marked by the task as it is written"
+
+
+class Other(NamedTuple):
+    """Another variant that a program seems to be made for."""
+
+    tag: str
+    why: str  # "it names", "its places are those of"
+
+
+def doubts_of(
+    marker: MarkerOfClass,
+    entries: Sequence[Entry],
+    mark: Callable[[Sequence[Entry]], Iterable[Done]],
+    *,
+    nameless: bool = False,
+) -> dict[str, str]:
+    """Return why a program may be marked by the wrong variant, by identifier.
+
+    What seems to be made for somebody else is marked by that variant too: its mark there is told,
+    and changes nothing.
+
+    Args:
+        marker: That knows whose is whose.
+        entries: Of the class.
+        mark: Marks programs without writing anything.
+        nameless: Whether students are not to be named.
+    """
+    places = {tag: places_of(marker, tag) for tag in marker.places}
+    found: dict[str, str] = {}
+    others: dict[str, Other] = {}
+    for entry in entries:
+        if entry.data is None:
+            continue
+        own = marker.tags.get(entry.identifier, "")
+        if not own:
+            found[entry.identifier] = NOBODY
+            continue
+        other = other_variant(entry.data, own, places)
+        if other is not None:
+            others[entry.identifier] = other
+    there = _marks_there(marker, entries, others, mark)
+    for identifier, other in others.items():
+        own = marker.tags[identifier]
+        words = f"{other.why} the variant `{other.tag}`, which nobody in the class has"
+        if other.tag in marker.owners:
+            whose = "somebody else" if nameless else shown_names(marker.owners[other.tag])
+            words = f"{other.why} the variant `{other.tag}`, of {whose}"
+        more = f", where it would earn {there[identifier]:g}" if identifier in there else ""
+        found[identifier] = f"{words}{more}; marked by the student's own, `{own}`"
+    return found
+
+
+def other_variant(
+    program: bytes, own: str, places: Mapping[str, Mapping[str, Values]]
+) -> Other | None:
+    """Return which other variant a program is made for, as far as it tells; None: its own.
+
+    Args:
+        program: What was handed in.
+        own: Tag of the student's variant.
+        places: Locations of the scene of each variant, by tag and name.
+    """
+    named = [tag for tag in tags_in(program) if tag != own]
+    if named:
+        return Other(named[0], "it names")
+    given = taught(program)
+    known = {name: values for name, values in given.items() if name in places[own]}
+    if all(values == places[own][name] for name, values in known.items()):
+        return None
+    for tag, scene in places.items():
+        if tag != own and all(values == scene.get(name) for name, values in known.items()):
+            return Other(tag, "its places are those of")
+    return None
+
+
+def places_of(marker: MarkerOfClass, tag: str) -> dict[str, Values]:
+    """Return the locations of the scene of a variant, as programs show them."""
+    scene = marker.by(tag).whole.scene
+    return {name: shown(X_WT) for name, X_WT in scene.locations.items()}
+
+
+def with_doubt(done: Done, doubts: Mapping[str, str], layout: Layout | None) -> Done:
+    """Return a result that tells its variant and what is doubtful; written where it is another."""
+    doubt = doubts.get(done.entry.identifier, "")
+    staff = _with(done.result, doubt)
+    if staff == done.result:
+        return done
+    if layout is not None:
+        write_marks(Marks(staff, done.student), layout)
+    return done._replace(result=staff)
+
+
+def _with(result: Result, doubt: str) -> Result:
+    tag = "" if result.variant is None else result.variant.tag
+    variant = OfVariant(tag, doubt) if tag or doubt else None
+    return msgspec.structs.replace(result, variant=variant)
+
+
+def _marks_there(
+    marker: MarkerOfClass,
+    entries: Sequence[Entry],
+    others: Mapping[str, Other],
+    mark: Callable[[Sequence[Entry]], Iterable[Done]],
+) -> dict[str, float]:
+    """Return what programs would earn by the variants that they seem to be made for."""
+    asked: list[Entry] = []
+    names: dict[str, str] = {}
+    for entry in entries:
+        other = others.get(entry.identifier)
+        if other is None or other.tag not in marker.places:
+            continue
+        name = f"other-{len(names)}"
+        names[name] = entry.identifier
+        marker.tags[name] = other.tag
+        asked.append(entry._replace(identifier=name, whose=""))
+    found = mark(asked) if asked else ()
+    return {
+        names[done.entry.identifier]: done.result.mark
+        for done in found
+        if done.result.mark is not None
+    }
