@@ -15,7 +15,7 @@ from vrts.marking.exports.marks_table import marks_csv
 from vrts.marking.exports.unsafe_marks import after_marking, closing, refusal
 from vrts.marking.lateness import FLAGGED, UNTIMED
 from vrts.marking.overview.page import overview_page
-from vrts.marking.result import Kind
+from vrts.marking.result import Kind, OfVariant
 from vrts.marking.row import (
     Change,
     Class,
@@ -38,6 +38,7 @@ MADE_SO: dict[Reason, dict[str, object]] = {
     Reason.CRASHED: {"kind": Kind.FAULT, "mark": None, "review": ("vrts itself failed",)},
     Reason.RESOURCE: {"kind": Kind.RESOURCE, "mark": None, "cause": "memory was used up"},
     Reason.AMBIGUOUS: {"kind": Kind.AMBIGUOUS, "mark": None, "cause": "two programs"},
+    Reason.VARIANT: {"variant": OfVariant("bcdf-ghjk", "its places are those of another")},
     Reason.UNREAD: {"kind": Kind.UNREAD, "mark": None, "cause": "permission denied"},
     Reason.ALTERED: {"stamps": ("modified scene: this mark does not count",)},
     Reason.VERSION: {"stamps": (VERSION,)},
