@@ -4,11 +4,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from random import Random
 
-from tests.support_likeness.students.authors import author
 from tests.support_likeness.copying.copies import CHAIN, EARLIER, copied
+from tests.support_likeness.copying.sheets import Sheet
 from tests.support_likeness.marking import mark
 from tests.support_likeness.scenes import JOBS
-from tests.support_likeness.copying.sheets import Sheet
+from tests.support_likeness.students.authors import author
 from tests.support_likeness.students.slips import broken, skill, slip
 from tests.support_likeness.students.teaching import without_unused
 from tests.support_likeness.students.writing import Writer
@@ -33,7 +33,7 @@ class Student:
     identifier: str
     sheet: Sheet
     text: str
-    shape: str
+    own: bool  # whether more than the text's and the lecture's is in it
     skill: str
 
 
@@ -70,8 +70,9 @@ def alone(job: str, year: int, seed: object, identifier: str) -> Student:
     slip(program, JOBS[job], level, draw)
     without_unused(program) if draw.random() < 0.5 else None
     sheet = Sheet(program, habits.layout)
+    own = writer.shape != "lecture" and not habits.follows
     text = broken(sheet.text(), draw) if level == "breaks" else sheet.text()
-    return Student(identifier, sheet, text, writer.shape, level)
+    return Student(identifier, sheet, text, own, level)
 
 
 def honest(job: str, year: int, size: int, seed: object) -> Class:
@@ -116,7 +117,7 @@ def with_copies(
 
 
 def _worth_copying(one: Student) -> bool:
-    return one.skill in ("good", "slips") and one.shape != "lecture"
+    return one.skill in ("good", "slips") and one.own
 
 
 def _plant(
@@ -131,7 +132,7 @@ def _plant(
     job = JOBS[whole.job]
     for source in list(sources):
         student = origin.students[source.rpartition("/")[2]]
-        if student.identifier in victims:
+        if student.identifier in victims or student.skill == "copied":
             continue
         if mark(student.text, job).points < ENOUGH:
             continue

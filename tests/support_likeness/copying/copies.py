@@ -4,17 +4,17 @@ from collections.abc import Callable
 from random import Random
 from typing import NamedTuple
 
-from tests.support_likeness.students.authors import author
-from tests.support_likeness.marking import Mark, mark
 from tests.support_likeness.copying.rebuilding import (
     cut_up,
     loops_changed,
     programs_moved,
     steps_moved,
 )
-from tests.support_likeness.scenes import Job
 from tests.support_likeness.copying.sheets import Copier, Sheet
 from tests.support_likeness.copying.surface import filled, renamed, restyled, shifted
+from tests.support_likeness.marking import Mark, mark
+from tests.support_likeness.scenes import Job
+from tests.support_likeness.students.authors import author
 
 Change = Callable[[Sheet, Copier], bool]
 SINGLE: dict[str, Change] = {

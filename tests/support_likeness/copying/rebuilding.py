@@ -2,6 +2,7 @@
 
 import re
 
+from tests.support_likeness.copying.sheets import Copier, Sheet
 from tests.support_likeness.students.program import (
     Line,
     Program,
@@ -10,9 +11,23 @@ from tests.support_likeness.students.program import (
     names_in,
     rename_lines,
 )
-from tests.support_likeness.copying.sheets import Copier, Sheet
 
 INDEX = re.compile(r"\[(\d+)\]")
+FREE = frozenset(  # words that do not mind which comes first, at full stop or with the hand still
+    frozenset(pair)
+    for pair in (
+        ("SPEED", "OPENI"),
+        ("SIGNAL", "SPEED"),
+        ("SIGNAL", "OPENI"),
+        ("SIGNAL", "SET"),
+        ("SET", "SPEED"),
+        ("SET", "OPENI"),
+        ("SET", "MOVE"),
+        ("TYPE", "SPEED"),
+        ("TYPE", "SET"),
+        ("DELAY", "SPEED"),
+    )
+)
 PLAIN_TEXT = """
     APPRO APPROS MOVE MOVES DEPART DEPARTS OPENI CLOSEI OPEN CLOSE DELAY SPEED BREAK NOTE SET
 """
@@ -40,7 +55,18 @@ def steps_moved(sheet: Sheet, by: Copier) -> bool:
     moved = _parts_moved(program.main, by) | _index_moved(program, by)
     for unit in program.units:
         _sets_moved(unit.body, by)
+    for block in program.blocks():
+        _neighbours_moved(block, by)
     return moved
+
+
+def _neighbours_moved(block: list[Line], by: Copier) -> None:
+    """Let neighbours of which neither needs the other change places, here and there."""
+    for k in range(len(block) - 1):
+        a, b = block[k], block[k + 1]
+        free = a.part == b.part and not a.label and not b.label
+        if free and frozenset((a.word, b.word)) in FREE and by.draw.random() < 0.6:
+            block[k], block[k + 1] = b, a
 
 
 def _parts_moved(main: Unit, by: Copier) -> bool:
@@ -112,7 +138,12 @@ def loops_changed(sheet: Sheet, by: Copier) -> bool:
         for line in list(block):
             if line.word not in ("FOR", "WHILE") or line.body is None:
                 continue
-            new = _as_for(block, line) if line.word == "WHILE" else _as_other(line, by, label)
+            if line.word == "WHILE":
+                new = _as_for(block, line)
+            elif by.draw.random() < 0.2:
+                new = _unrolled(line)
+            else:
+                new = _as_other(line, by, label)
             if new:
                 label += 10
                 at = next(k for k, one in enumerate(block) if one is line)
@@ -135,6 +166,19 @@ def _as_other(line: Line, by: Copier, label: int) -> list[Line]:
     return [begin, *body, more, Line("IFGOTO", [f"{i} <= {last}", f"{label}"], part=line.part)]
 
 
+def _unrolled(line: Line) -> list[Line]:
+    """Return the rounds of a FOR one after the other."""
+    i, first, last = line.args
+    found: list[Line] = []
+    for k in range(int(first), int(last) + 1):
+        body = Program([Unit("x", [], line.body or [])], {}).copy().units[0].body
+        rename_lines(body, {i: f"{k}"})
+        for one in body:
+            one.part = line.part
+        found += body
+    return found
+
+
 def _as_for(block: list[Line], line: Line) -> list[Line]:
     """Return a WHILE that counts as a FOR; nothing where it does not."""
     match = re.fullmatch(r"(\w+) <= (\w+)", line.args[0])
@@ -154,8 +198,10 @@ def cut_up(sheet: Sheet, by: Copier) -> bool:
     """Split programs into more, or write subroutines where they are called."""
     program = sheet.program
     if by.draw.random() < 0.5:
-        return _inlined(program) or _split(program, by)
-    return _split(program, by) or _inlined(program)
+        inlined = _inlined(program)
+        return _split(program, by) or inlined
+    split = _split(program, by)
+    return (by.draw.random() < 0.5 and _split(program, by)) or split or _inlined(program)
 
 
 def _inlined(program: Program) -> bool:

@@ -3,10 +3,10 @@
 from dataclasses import dataclass
 from random import Random
 
+from tests.support_likeness.scenes import Job
 from tests.support_likeness.students.authors import Author, Layout
 from tests.support_likeness.students.printing import printed
 from tests.support_likeness.students.program import Program, names_of
-from tests.support_likeness.scenes import Job
 
 
 @dataclass

@@ -2,9 +2,9 @@
 
 import re
 
+from tests.support_likeness.copying.sheets import Copier, Sheet
 from tests.support_likeness.students.naming import TAKEN
 from tests.support_likeness.students.program import Line, Program, Unit, Values, names_of, rename
-from tests.support_likeness.copying.sheets import Copier, Sheet
 
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
 ENDS = re.compile(r"^(.*?)[._]?(\d*)$")
@@ -140,7 +140,8 @@ def filled(sheet: Sheet, by: Copier) -> bool:
     spare = by.fresh(program, draw.choice(("x", "tmp", "test", "wert", "flag", "counter", "hulp")))
     first = program.main.body
     first.insert(0, Line("LET", [spare, draw.choice(("0", "1", "10"))]))
-    for _ in range(draw.randrange(5, 12)):
+    size = sum(1 for _ in program.lines())
+    for _ in range(int(size * draw.uniform(0.15, 0.45)) + 2):
         block = draw.choice([unit.body for unit in program.units if unit.body])
         at = draw.randrange(1, len(block) + 1)
         block.insert(at, _nothing(by, spare, block[at - 1]))

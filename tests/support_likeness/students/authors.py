@@ -1,6 +1,6 @@
 """Who writes: habits of people who have never met, drawn from a seed."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from random import Random
 
 from tests.support_likeness.students.tongues import ENGLISH, SHARES, TONGUES, Tongue
@@ -17,6 +17,7 @@ SHAPES = {  # how a program is cut up, and how many of a hundred do it so
     "each": 8,  # a subroutine for each thing
 }
 HEIGHTS = (30, 40, 50, 60, 70, 75, 80, 90, 100, 100, 100, 110, 120, 130, 150, 150, 180, 200)
+FOLLOW = 0.12  # of students
 USUAL = 120  # [mm] that the lesson approaches from
 
 
@@ -77,6 +78,7 @@ class Author:
     inner: str  # a habit of subroutines: none, return, args
     order: float  # whether goals are done in another order than the text has them
     signal: int  # where the output is switched: 0 at first, 1 before the last, 2 at the end
+    follows: bool = False  # the text, word by word, wherever it says something
 
 
 def author(seed: object) -> Author:
@@ -87,7 +89,7 @@ def author(seed: object) -> Author:
     above = USUAL if usual else draw.choice(HEIGHTS)
     talks = draw.choice((0.0, 0.0, 0.05, 0.15, 0.3, 0.5, 0.9))
     fast = draw.choice((100, 100, 100, 100, 90, 80, 80, 75, 70, 60, 50))
-    return Author(
+    found = Author(
         layout=layout(draw),
         tongue=tongue,
         naming=tongue if draw.random() < 0.7 else ENGLISH,
@@ -124,6 +126,42 @@ def author(seed: object) -> Author:
         inner=draw.choice(("none", "none", "return", "args")),
         order=draw.random(),
         signal=draw.randrange(3),
+    )
+    return follower(found, draw) if draw.random() < FOLLOW else found
+
+
+def follower(one: Author, draw: Random) -> Author:
+    """Return one who does it as the lesson does, with the text's names, values and numbers."""
+    return replace(
+        one,
+        follows=True,
+        shape=draw.choice(("carry", "carry", "for", "straight")),
+        own_names=False,
+        naming=ENGLISH,
+        taught_mm=0.0,
+        rounding_mm=0,
+        lift_mm=0,
+        turn_deg=90,
+        computed="section",
+        own_safe=False,
+        above_grip=USUAL,
+        above_put=USUAL,
+        away=USUAL,
+        rise=0.1,
+        speeds=draw.choice(("next", "next", "once")),
+        fast=100,
+        slow=30,
+        slower=20,
+        down="MOVES",
+        up="DEPARTS",
+        approach="APPRO",
+        points=False,
+        grips="CLOSEI",
+        opens="first",
+        pause_s=0,
+        breaks=False,
+        safe="ends",
+        order=draw.choice((0.0, 0.0, 0.7)),
     )
 
 

@@ -2,9 +2,9 @@
 
 from random import Random
 
+from tests.support_likeness.scenes import Job
 from tests.support_likeness.students.authors import Author
 from tests.support_likeness.students.program import WORDS
-from tests.support_likeness.scenes import Job
 
 LONGEST = 15  # characters of a name that count
 TAKEN_TEXT = """

@@ -3,8 +3,8 @@
 import re
 from random import Random
 
-from tests.support_likeness.students.program import Program, Values
 from tests.support_likeness.scenes import Job
+from tests.support_likeness.students.program import Program, Values
 
 BREAKS = (  # what is written, and what should have been something else
     (r"(\w)\s*,\s*(\d+)", r"\1 \2"),  # no comma

@@ -3,10 +3,10 @@
 import re
 from random import Random
 
+from tests.support_likeness.scenes import Job, Place
 from tests.support_likeness.students.authors import Author
 from tests.support_likeness.students.naming import Names
 from tests.support_likeness.students.program import Line, Program, Unit, Values, names_of
-from tests.support_likeness.scenes import Job, Place
 
 KEY = re.compile(r"\{([\w.]+)\}")
 

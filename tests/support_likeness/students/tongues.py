@@ -42,8 +42,9 @@ count: i|n|k|cnt|num|j
 height: h|high|dist|app|z|clear
 """),
     _words("""
-head: Robot programming lab|exercise for week 4|my solution|pick and place program|assignment, version 2|
-    final version|made with a lot of coffee|program for the PUMA|lab report attached|VAL-II exercise
+head: Robot programming lab|exercise for week 4|my solution|pick and place program|
+    assignment, version 2|final version|made with a lot of coffee|program for the PUMA|
+    lab report attached|VAL-II exercise
 part: {}|now the {}|move the {}|{} goes to its place|next: {}|then {}|---- {} ----|
     here comes the {}|handle {}
 above: go above it|approach|approach from the top|above the {}|hover first|

@@ -2,10 +2,10 @@
 
 from random import Random
 
+from tests.support_likeness.scenes import Goal, Job
 from tests.support_likeness.students.authors import Author
 from tests.support_likeness.students.naming import Names
 from tests.support_likeness.students.program import Line, Program, Unit
-from tests.support_likeness.scenes import Goal, Job
 from tests.support_likeness.students.teaching import Taught
 from tests.support_likeness.students.years import Year, lecture_units, start_head, start_lines
 

@@ -1,0 +1,61 @@
+"""A class marked by `vrts grade`, and what it then calls alike."""
+
+import shutil
+from collections.abc import Sequence
+from pathlib import Path
+from time import monotonic
+from typing import NamedTuple
+
+from tests.support_commands import vrts_text
+from tests.support_likeness.classes import Class
+from tests.support_likeness.judging import Group, groups_in
+from tests.support_likeness.scenes import JOBS, folder
+from tests.support_likeness.students.years import YEARS
+
+
+class Alike(NamedTuple):
+    """What was found in a class."""
+
+    groups: list[Group]
+    marked_s: float  # the whole call
+    again_s: float  # the same call, when all marks are there already
+
+
+def task_of(job: str, year: int, where: Path) -> Path:
+    """Write the task with what a year's students were given, and return its folder."""
+    shutil.copytree(folder(JOBS[job]), where, ignore=shutil.ignore_patterns("submissions", "pict*"))
+    given = YEARS[year - 1].text
+    (where / "start.v2").write_text(given, encoding="utf-8")
+    with (where / "README.md").open("a", encoding="utf-8") as readme:
+        readme.write(f"\n## What you may use\n\n```val2\n{given}```\n")
+    return where
+
+
+def graded(
+    whole: Class,
+    where: Path,
+    corpus: Sequence[tuple[str, Class]] = (),
+    *words: str,
+    again: bool = False,
+) -> Alike:
+    """Mark a class and return what is alike in it.
+
+    Args:
+        whole: The class.
+        where: Folder for everything.
+        corpus: Other classes, by the name of their folder.
+        words: More words for `vrts grade`.
+        again: Whether to call it once more, to see what likeness alone takes.
+    """
+    task = task_of(whole.job, whole.year, where / "task")
+    programs = whole.written(where / "class")
+    call: list[object] = ["grade", task, programs, "-o", where / "out", "--no-pages", *words]
+    for name, other in corpus:
+        call += ["--corpus", other.written(where / name)]
+    took: list[float] = []
+    for _ in range(1 + again):
+        began = monotonic()
+        found = vrts_text(*call, "-q")
+        took.append(monotonic() - began)
+        assert found.returncode == 0, found.stderr[-2000:]
+    return Alike(groups_in(where / "out" / "staff" / "similarity.json"), took[0], took[-1])
