@@ -17,7 +17,7 @@ export function ask(title, body, yes) {
     };
     const go = button(yes, () => close(true), { class: "main" });
     dialog.replaceChildren(
-      make("h2", { id: "ask-title", text: title }), make("div", { class: "ask-body", tabindex: "0", role: "group", "aria-label": title }, ...body),
+      make("h2", { id: "ask-title", text: title }), make("div", { class: "ask-body", tabindex: "0", role: "region", "aria-label": title }, ...body),
       make("div", { class: "row end" }, button("Cancel", () => close(false)), go));
     dialog.addEventListener("close", () => resolve(agreed), { once: true });
     dialog.showModal();

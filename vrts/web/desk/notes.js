@@ -14,6 +14,7 @@ export class Notes {
 
   /** Say what was done. @param {string} text @param {(() => void) | null} undo */
   done(text, undo = null) {
+    for (const old of this.place.querySelectorAll(".note:not(.warn)")) old.remove(); // the last one alone has a way back
     const note = this.add(text, "note");
     if (undo) {
       const back = button("Undo", () => {

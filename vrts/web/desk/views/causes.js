@@ -36,7 +36,7 @@ export class Causes {
     onSubmit(this.form, () => void this.give());
     byId("view-causes").append(make("div", { class: "causes" },
       make("section", { "aria-label": "Causes" }, make("h2", { text: "Causes" }), this.list),
-      make("section", { "aria-label": "Who lost this" }, this.title, this.about, this.form, make("div", { class: "scroll", tabindex: "0", role: "group", "aria-label": "Students" }, this.students))));
+      make("section", { "aria-label": "Who lost this" }, this.title, this.about, this.form, make("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Students" }, this.students))));
     desk.on(["class"], () => this.fill());
     desk.on(["view"], () => this.fill());
   }

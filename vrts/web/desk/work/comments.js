@@ -14,7 +14,7 @@ export function spoken(desk, comment, jump) {
   if (comment.stale) about.append(" · ", make("b", { text: "about an earlier program" }));
   const time = comment.time_s;
   if (time !== null && time !== undefined) about.append(" · ", button(`at ${moment(time)}`, () => jump(time), { class: "jump" }));
-  about.append(" ", button("Take back", () => void desk.undo([comment.record], "The comment"), { class: "jump", "aria-label": `Take the comment of ${comment.name || comment.who} back` }));
+  about.append(" ", button("Take back", () => void desk.undo([comment.record], "The comment"), { class: "jump", "aria-label": `Take back the comment of ${comment.name || comment.who}` }));
   box.append(make("p", { class: "said", text: comment.text }), about);
   return box;
 }

@@ -43,7 +43,7 @@ export class Rubric {
         make("span", { class: "item-title", text: item.title }),
         make("span", { class: "points", text: points(item.points) }));
       return make("li", {}, give, make("span", { class: "soft count", text: String(item.students.length), title: `${counted(item.students.length, "student")} have it` }),
-        button("Edit", () => this.edit(item), { class: "jump", "data-key": `edit ${item.id}`, "aria-label": `Change for all: ${item.title}` }));
+        button("Edit", () => this.edit(item), { class: "jump", "data-key": `edit ${item.id}`, "aria-label": `Edit for all: ${item.title}` }));
     }));
     if (had) [...this.list.querySelectorAll("button")].find((one) => one.dataset.key === had)?.focus({ preventScroll: true });
     this.where();
