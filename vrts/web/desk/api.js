@@ -20,6 +20,11 @@ export function post(path, body) {
   return ask(path, { method: "POST", headers: { "content-type": "application/json" }, body: JSON.stringify(body) });
 }
 
+/** @template T @param {string} path @returns {Promise<T>} */
+export function cancel(path) {
+  return ask(path, { method: "DELETE" });
+}
+
 /** @template T @param {string} path @param {RequestInit} options @returns {Promise<T>} */
 async function ask(path, options) {
   /** @type {Response} */

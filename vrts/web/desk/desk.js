@@ -1,6 +1,6 @@
 // What the page knows, and what is done with it: told at once, written by the server, undone again.
 
-import { get, listen, NotDone, post } from "./api.js";
+import { cancel, get, listen, NotDone, post } from "./api.js";
 import { everything, nextOpen, shown } from "./filters.js";
 import { counted } from "./words.js";
 
@@ -269,6 +269,15 @@ export class Desk {
       this.notes.done(students === "all" ? "All programs are marked again." : `${counted(students.length, "program")} marked again soon.`);
     } catch (problem) {
       this.failed(problem, () => void this.markAgain(students));
+    }
+  }
+
+  /** Stop marking again: what has been marked stays. */
+  async stopMarking() {
+    try {
+      await cancel("/api/mark");
+    } catch (problem) {
+      this.failed(problem, null);
     }
   }
 

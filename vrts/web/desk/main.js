@@ -1,6 +1,6 @@
 // The marker's desk: puts the parts together, and fetches the class.
 
-import { byId, make, write } from "../live/dom.js";
+import { button, byId, make, write } from "../live/dom.js";
 import { nextOpen } from "./filters.js";
 import { Desk } from "./desk.js";
 import { Replay } from "./frame.js";
@@ -117,8 +117,8 @@ function showMarking() {
     const bar = place.querySelector("progress") ?? make("progress", { "aria-label": "Programs marked again" });
     bar.max = Math.max(marking.all, 1);
     bar.value = marking.done;
-    if (!bar.parentElement) place.replaceChildren(bar, make("span", { class: "soft" }));
-    write(/** @type {Element} */ (place.lastElementChild), `${marking.done} of ${marking.all} marked`);
+    if (!bar.parentElement) place.replaceChildren(bar, make("span", { class: "soft" }), button("Stop", () => void desk.stopMarking(), { title: "Stop marking: what has been marked stays" }));
+    write(/** @type {Element} */ (place.children[1]), `${marking.done} of ${marking.all} marked`);
   } else {
     place.replaceChildren();
     if (marking?.problem && marking.problem !== showMarking.told) desk.notes.problem(`Marking again did not work: ${marking.problem}`);

@@ -18,9 +18,15 @@ export function settings(desk) {
   box.append(
     make("div", { class: "setting" }, make("label", { for: "setting-theme", text: "Colours" }), theme),
     make("div", { class: "setting" }, make("label", { for: "setting-keys", text: "Single-letter keys" }), keys),
-    make("div", { class: "setting" }, make("span", { text: "Every program" }), button("Mark all again …", async () => {
-      box.hidePopover();
-      const title = `Mark ${counted(desk.rows.size, "program")} again?`;
-      if (await ask(title, [make("p", { text: "This takes a while. Decisions by hand stay, and are told where they were made about another program." })], "Mark all again")) await desk.markAgain("all");
-    })));
+    make("div", { class: "setting" }, make("span", { text: "Mark again" }),
+      make("span", { class: "range" }, button("The list …", () => void again(false)), button("All …", () => void again(true)))));
+
+  /** @param {boolean} all */
+  async function again(all) {
+    box.hidePopover();
+    const students = all ? [...desk.rows.keys()] : desk.listed.map((row) => row.id);
+    if (!students.length) return;
+    const body = make("p", { text: "This takes a while, and can be stopped. Decisions stay; those about a program that is another one now do not count, and are shown." });
+    if (await ask(`Mark ${counted(students.length, "program")} again?`, [body], "Mark again")) await desk.markAgain(all ? "all" : students);
+  }
 }

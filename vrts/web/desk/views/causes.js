@@ -3,6 +3,7 @@
 import { button, byId, choice, make, onSubmit, prose, write } from "../../live/dom.js";
 import { amount, counted, exact, identifier, lost, mark, points, typed } from "../words.js";
 import { ask } from "../ask.js";
+import { missing } from "../missing.js";
 import { gives, guess } from "../work/giving.js";
 import { preview } from "../work/rubric.js";
 
@@ -13,6 +14,7 @@ import { preview } from "../work/rubric.js";
 /** @typedef {import("../types.js").Said} Said */
 
 const NEW = " new"; // no identifier begins with a blank
+const CHANGE = " change";
 
 /** The view. */
 export class Causes {
@@ -32,7 +34,7 @@ export class Causes {
     this.points = make("input", { placeholder: "−0.5", "aria-label": "Points", class: "short", maxlength: 8 });
     this.text = make("textarea", { placeholder: "Comment for all of them", "aria-label": "Comment for all of them", rows: 3, maxlength: 2000 });
     this.go = make("button", { class: "main", text: "See what changes" });
-    this.form = make("form", { class: "bulk-form" }, make("label", {}, "Give them ", this.what), this.item, this.points, this.text, this.go);
+    this.form = make("form", { class: "bulk-form", novalidate: true }, make("label", {}, "Give them ", this.what), this.item, this.points, this.text, this.go);
     onSubmit(this.form, () => void this.give());
     byId("view-causes").append(make("div", { class: "causes" },
       make("section", { "aria-label": "Causes" }, make("h2", { text: "Causes" }), this.list),
@@ -83,15 +85,17 @@ export class Causes {
     const kept = this.what.options.length ? this.what.value : null;
     this.what.replaceChildren(
       ...this.desk.items.map((item) => make("option", { value: item.id, text: `${item.title} (${points(item.points)})` })),
-      make("option", { value: NEW, text: "a new item" }), make("option", { value: "", text: "a comment only" }));
+      make("option", { value: NEW, text: "a new item" }), make("option", { value: CHANGE, text: "points, with a reason" }), make("option", { value: "", text: "a comment only" }));
     if (kept !== null && [...this.what.options].some((one) => one.value === kept)) this.what.value = kept;
     this.fields();
     this.rows();
   }
 
   fields() {
-    this.item.hidden = this.points.hidden = this.what.value !== NEW;
-    this.text.placeholder = this.what.value ? "Comment for all of them (may stay empty)" : "Comment for all of them";
+    const what = this.what.value;
+    this.item.hidden = what !== NEW;
+    this.points.hidden = what !== NEW && what !== CHANGE;
+    this.text.placeholder = what === CHANGE ? "Reason: all of them read it" : what ? "Comment for all of them (may stay empty)" : "Comment for all of them";
   }
 
   rows() {
@@ -117,20 +121,21 @@ export class Causes {
     const { desk } = this;
     const rows = this.all.filter((row) => !this.without.has(row.id));
     const text = this.text.value.trim();
-    if (!rows.length) return wrong(this.what, "Choose at least one student below.");
+    if (!rows.length) return missing(this.what, "Choose at least one student below.");
+    if (this.what.value === CHANGE) return this.change(rows, text);
     /** @type {Said[]} */
     const records = [];
     /** @type {Item | null} */
     let item = desk.items.find((one) => one.id === this.what.value) ?? null;
     if (this.what.value === NEW) {
       const [title, value] = [this.item.value.trim(), typed(this.points.value)];
-      if (!title) return wrong(this.item, "Say what the item is about.");
-      if (value === null) return wrong(this.points, "Points are a number, such as −0.5.");
+      if (!title) return missing(this.item, "Say what the item is about.");
+      if (value === null) return missing(this.points, "Points are a number, such as −0.5.");
       const id = identifier(title, new Set((desk.data?.items ?? []).map((one) => one.id)));
       item = { id, title, points: value, version: "", students: [], withdrawn: false };
       records.push({ does: "item", id, title, points: exact(value) });
     } else if (!item && !text) {
-      return wrong(this.text, "Write the comment.");
+      return missing(this.text, "Write the comment.");
     }
     const given = item;
     const getting = given ? rows.filter((row) => !row.items.includes(given.id)) : [];
@@ -146,11 +151,15 @@ export class Causes {
     if (!(await desk.act(records, words, given ? getting.map((row) => guess(row, given, true)) : []))) return;
     this.text.value = this.item.value = this.points.value = "";
   }
-}
 
-/** @param {HTMLInputElement | HTMLTextAreaElement | HTMLSelectElement} input @param {string} words */
-function wrong(input, words) {
-  input.setCustomValidity(words);
-  input.reportValidity();
-  input.addEventListener("input", () => input.setCustomValidity(""), { once: true });
+  /** Add points to the marks of all. @param {Row[]} rows @param {string} reason */
+  async change(rows, reason) {
+    const value = typed(this.points.value);
+    if (value === null) return missing(this.points, "Points are a number, such as −0.5.");
+    if (!reason) return missing(this.text, "Give a reason: it is kept, and they read it.");
+    const all = counted(rows.length, "student");
+    if (!(await ask(`Changes ${all}`, [preview(rows, value)], "Change"))) return;
+    const records = rows.map((row) => ({ does: "change", students: [row.id], delta: exact(value), reason }));
+    if (await this.desk.act(records, `${points(value)} for ${all}`)) this.text.value = this.points.value = "";
+  }
 }

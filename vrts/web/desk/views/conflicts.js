@@ -1,6 +1,7 @@
 // What graders decided differently: both sides, and which of them counts.
 
 import { button, byId, make, prose, write } from "../../live/dom.js";
+import { missing } from "../missing.js";
 import { when } from "../words.js";
 
 /** @typedef {import("../desk.js").Desk} Desk */
@@ -40,9 +41,7 @@ export class Conflicts {
     const title = make("h3", {}, row ? `${row.name}: ` : "", conflict.about);
     const decide = async (/** @type {string} */ keep, /** @type {string} */ sentence) => {
       if (!reason.value.trim()) {
-        reason.setCustomValidity("Give a reason: it is kept with the decision.");
-        reason.reportValidity();
-        reason.addEventListener("input", () => reason.setCustomValidity(""), { once: true });
+        missing(reason, "Give a reason: it is kept with the decision.");
         return;
       }
       const over = conflict.sides.map((side) => side.record).filter((record) => record !== keep);

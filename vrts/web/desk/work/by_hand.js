@@ -2,6 +2,7 @@
 
 import { choice, make, onSubmit } from "../../live/dom.js";
 import { ask } from "../ask.js";
+import { missing } from "../missing.js";
 import { after, amount, counted, exact, mark, points, typed, withOffset } from "../words.js";
 
 /** @typedef {import("../desk.js").Desk} Desk */
@@ -17,7 +18,7 @@ export class ByHand {
     this.reason = make("textarea", { "aria-label": "Reason of the change", placeholder: "Reason: the student reads it", rows: 2, maxlength: 2000 });
     this.settles = make("fieldset", { class: "settles" });
     this.now = make("ul", { class: "past" });
-    this.form = make("form", {}, make("div", { class: "row" }, this.kind, this.value), this.reason, this.settles, make("div", { class: "row end" }, make("button", { class: "main", text: "Change the mark" })));
+    this.form = make("form", { novalidate: true }, make("div", { class: "row" }, this.kind, this.value), this.reason, this.settles, make("div", { class: "row end" }, make("button", { class: "main", text: "Change the mark" })));
     onSubmit(this.form, () => void this.send());
     this.panel = make("div", {}, this.now, this.form);
     desk.on(["chosen"], () => this.begin());
@@ -50,9 +51,9 @@ export class ByHand {
     if (!row) return;
     const settles = this.chosen();
     const value = typed(this.value.value);
-    if (value === null && !(settles.length && !this.value.value.trim())) return wrong(this.value, "A number, such as −0.5 or 7.5.");
+    if (value === null && !(settles.length && !this.value.value.trim())) return missing(this.value, "A number, such as −0.5 or 7.5.");
     const reason = this.reason.value.trim();
-    if (!reason) return wrong(this.reason, "Give a reason: it is kept, and the student reads it.");
+    if (!reason) return missing(this.reason, "Give a reason: it is kept, and the student reads it.");
     /** @type {Said} */
     const said = { does: "change", students: [row.id], reason };
     const adds = this.kind.value === "delta";
@@ -75,11 +76,11 @@ export class Student {
     this.reason = make("input", { "aria-label": "Reason", placeholder: "Reason", maxlength: 500 });
     this.who = make("div", { class: "graders", role: "group", "aria-label": "Graders" });
     this.whom = choice([["one", "this program"], ["all", "all in the list"]], { "aria-label": "Assign what" });
-    const extend = make("form", {}, make("h3", { text: "Later deadline, or no mark" }), this.reason,
+    const extend = make("form", { novalidate: true }, make("h3", { text: "Later deadline, or no mark" }), this.reason,
       make("div", { class: "row" }, this.due, make("button", { text: "Extend" })),
       make("div", { class: "row end" }, make("button", { type: "button", text: "Excuse", title: "No mark is expected", click: () => void this.excuse() })));
     onSubmit(extend, () => void this.extend());
-    const assign = make("form", {}, make("h3", { text: "Who looks at this" }), this.who,
+    const assign = make("form", { novalidate: true }, make("h3", { text: "Who looks at this" }), this.who,
       make("div", { class: "row" }, this.whom, make("span", { class: "fill" }), make("button", { text: "Assign" })));
     onSubmit(assign, () => void this.assign());
     this.panel = make("div", {}, assign, extend);
@@ -103,8 +104,8 @@ export class Student {
     const { row } = this.desk;
     const [due, reason] = [withOffset(this.due.value), this.reason.value.trim()];
     if (!row) return;
-    if (!due) return wrong(this.due, "Give the new deadline.");
-    if (!reason) return wrong(this.reason, "Give a reason.");
+    if (!due) return missing(this.due, "Give the new deadline.");
+    if (!reason) return missing(this.reason, "Give a reason.");
     if (await this.desk.act([{ does: "extend", students: [row.id], due, reason }], `${row.name} has until ${this.due.value.replace("T", " ")}`)) this.due.value = this.reason.value = "";
   }
 
@@ -112,7 +113,7 @@ export class Student {
     const { row } = this.desk;
     const reason = this.reason.value.trim();
     if (!row) return;
-    if (!reason) return wrong(this.reason, "Give a reason.");
+    if (!reason) return missing(this.reason, "Give a reason.");
     if (await this.desk.act([{ does: "excuse", students: [row.id], reason }], `${row.name} is excused`, [{ ...row, excused: true }])) this.reason.value = "";
   }
 
@@ -130,13 +131,6 @@ export class Student {
     }));
     this.whom.value = "one";
   }
-}
-
-/** Say what is missing, at its place. @param {HTMLInputElement | HTMLTextAreaElement} input @param {string} words */
-function wrong(input, words) {
-  input.setCustomValidity(words);
-  input.reportValidity();
-  input.addEventListener("input", () => input.setCustomValidity(""), { once: true });
 }
 
 /** Finish the program that is looked at, and go on. @param {Desk} desk */

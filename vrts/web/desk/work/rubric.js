@@ -2,6 +2,7 @@
 
 import { button, make, onSubmit } from "../../live/dom.js";
 import { ask } from "../ask.js";
+import { missing } from "../missing.js";
 import { after, amount, counted, exact, identifier, mark, points, typed } from "../words.js";
 import { gives, guess } from "./giving.js";
 
@@ -20,12 +21,13 @@ export class Rubric {
     this.about = make("p", { class: "soft about" });
     /** The item that is changed; null: a new one. @type {Item | null} */
     this.changed = null;
+    this.outdated = false;
     this.title = make("input", { "aria-label": "Title of the item", placeholder: "New item, such as: grip not checked", maxlength: 300, id: "item-title" });
     this.points = make("input", { "aria-label": "Points: negative takes off", placeholder: "−0.5", inputmode: "text", maxlength: 8, class: "short" });
     this.save = make("button", { text: "Add and give" });
     this.cancel = button("Cancel", () => this.edit(null), { hidden: true });
     this.withdraw = button("Withdraw", () => void this.write(true), { hidden: true, title: "Nobody has it any more" });
-    this.form = make("form", { class: "item-form" }, this.title, make("div", { class: "row" }, this.points, this.save, this.withdraw, this.cancel));
+    this.form = make("form", { class: "item-form", novalidate: true }, this.title, make("div", { class: "row" }, this.points, this.save, this.withdraw, this.cancel));
     onSubmit(this.form, () => void this.write(false));
     this.panel = make("div", {}, this.list, this.about, this.form);
     desk.on(["class", "chosen", "detail"], () => this.fill());
@@ -34,6 +36,11 @@ export class Rubric {
 
   fill() {
     const row = this.desk.row;
+    if (this.outdated && this.changed) {
+      const { id } = this.changed;
+      this.changed = this.desk.items.find((item) => item.id === id) ?? null;
+      this.outdated = false;
+    }
     const had = this.list.contains(document.activeElement) ? document.activeElement?.getAttribute("data-key") : null;
     this.list.replaceChildren(...this.desk.items.map((item, k) => {
       const has = row?.items.includes(item.id) ?? false;
@@ -100,8 +107,8 @@ export class Rubric {
   /** @param {boolean} withdrawn */
   async write(withdrawn) {
     const [title, value, item] = [this.title.value.trim(), typed(this.points.value), this.changed];
-    if (!title) return this.missing(this.title, "Say what the item is about.");
-    if (value === null) return this.missing(this.points, "Points are a number, such as −0.5 or 1.");
+    if (!title) return missing(this.title, "Say what the item is about.");
+    if (value === null) return missing(this.points, "Points are a number, such as −0.5 or 1.");
     const { row } = this.desk;
     const taken = new Set((this.desk.data?.items ?? []).map((one) => one.id));
     /** @type {import("../types.js").Said} */
@@ -119,13 +126,7 @@ export class Rubric {
     const records = !item && row ? [said, ...gives(made, [row.id], { line: this.desk.line })] : [said];
     const words = item ? `${withdrawn ? "Withdrew" : "Changed"} “${title}” for ${counted(item.students.length, "student")}` : `Added “${title}”${row ? ` and gave it to ${row.name}` : ""}`;
     if (await this.desk.act(records, words)) this.edit(null);
-  }
-
-  /** @param {HTMLInputElement} input @param {string} words */
-  missing(input, words) {
-    input.setCustomValidity(words);
-    input.reportValidity();
-    input.addEventListener("input", () => input.setCustomValidity(""), { once: true });
+    else this.outdated = true; // what was typed stays, and goes on from the item as it is then
   }
 }
 
