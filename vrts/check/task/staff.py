@@ -63,7 +63,10 @@ def read_whole_task(
     home = Appended(public, staff)
     task, told = read_task(home.joined, scene, name)
     moved = tuple(home.diagnostic(d) for d in told)
-    return WholeTask(None if task is None else _task(task, home), hidden if task else {}, moved)
+    if task is None:
+        return WholeTask(None, {}, moved)
+    whole = replace(_task(task, home), variants=open_part.variants)  # which is never hidden
+    return WholeTask(whole, hidden, moved)
 
 
 def _header(top: Table, key: str) -> str:

@@ -5,6 +5,7 @@ are kept as the TOML text that is written into the files.
 """
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from math import prod
 from typing import NamedTuple, TypeAlias
 
@@ -34,7 +35,8 @@ class Without(NamedTuple):
     choices: Mapping[int, frozenset[int]]  # which choices, by the number of what varies
 
 
-class Variants(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Variants:
     """All variants of a task."""
 
     assignment: str  # what variants are drawn by, beside key and student
