@@ -1,0 +1,128 @@
+"""What a student gets of a task with variants: the own numbers, and nothing of anybody else."""
+
+import io
+import shutil
+import zipfile
+from pathlib import Path
+
+import pytest
+
+from tests.places import ROOT
+from vrts.assignments.variants.handed_out import HandedOut, handed_out, pictures_of, tags_in
+from vrts.assignments.variants.key import NAME, key_made, key_of
+from vrts.assignments.variants.of_task import VariedTask, load_varied
+from vrts.assignments.variants.places import shown, taught, with_places
+from vrts.check.variants.drawn import Variant, drawn
+from vrts.pipeline.assess import assess
+from vrts.pipeline.compiling.reading import ProgramFile
+from vrts.pipeline.files import CannotRead
+from vrts.pipeline.refused import Refused
+from vrts.pipeline.request import Request
+from vrts.report.scene_drawing import scene_svg
+
+LAB = ROOT / "examples" / "08-own-numbers" / "lab1"
+KEY = b"k" * 32
+HIDDEN = '[[via]]\nname = "secret"\nat_mm = [900, 20, 40]\nradius_mm = 300\n'
+
+
+def copied(folder: Path) -> Path:
+    lab = Path(shutil.copytree(LAB, folder / "lab1"))
+    (lab / "staff").mkdir()
+    (lab / "staff" / "task.toml").write_text(HIDDEN)
+    (lab / "solution.v2").rename(lab / "staff" / "solution.v2")
+    base = load_varied(lab).base.scene
+    (lab / "pictures").mkdir()
+    (lab / "pictures" / "scene.svg").write_text(scene_svg(base))
+    (lab / "pictures" / "other.svg").write_text("<svg/>")
+    key_made(lab / NAME)
+    return lab
+
+
+@pytest.fixture(scope="module")
+def varied(tmp_path_factory: pytest.TempPathFactory) -> VariedTask:
+    return load_varied(copied(tmp_path_factory.mktemp("varied")))
+
+
+def given(varied: VariedTask, student: str) -> tuple[Variant, HandedOut, dict[str, str]]:
+    variant = drawn(varied.variants, KEY, student)
+    found = handed_out(varied, variant, pictures_of(varied))
+    with zipfile.ZipFile(io.BytesIO(found.data)) as archive:
+        files = {name: archive.read(name).decode() for name in archive.namelist()}
+    return variant, found, {name.removeprefix("lab1/"): text for name, text in files.items()}
+
+
+def test_a_student_gets_the_own_numbers_and_nothing_of_others(varied: VariedTask) -> None:
+    variant, _, files = given(varied, "ada")
+    values = varied.variants.values(variant.combination)
+    scene = varied.setting(variant.combination).scene
+    assert sorted(files) == [
+        *("README.md", "manifest.json", "pictures/other.svg", "pictures/scene.svg"),
+        *("pictures/your-scene.svg", "scene.toml", "start.v2", "task.toml"),
+    ]
+    x, y = values["can1_x"], values["can1_y"]
+    assert f"| `can1`, the red can | {x} | {y} | -300 |" in files["README.md"]
+    assert f"at_mm = [{x}, {y}]" in files["scene.toml"]
+    on = values["goals"].split('"')[1]
+    base = scene.body(on).X_WO.translation
+    assert f"can1 on {on} (X {1000 * base[0]:g}, Y {1000 * base[1]:g}, " in files["README.md"]
+    assert files["start.v2"].startswith(f"; variant {variant.tag}\n")
+    assert tags_in(files["start.v2"].encode()) == (variant.tag,)
+    assert taught(files["start.v2"].encode()) == {"safe": shown(scene.locations["safe"])}
+    assert files["pictures/scene.svg"] == files["pictures/your-scene.svg"]
+    assert files["pictures/scene.svg"] != scene_svg(varied.base.scene)
+    for name, text in files.items():
+        for secret in ("[variants", "staff_names", "can1_goal", "secret", KEY.decode()):
+            assert secret not in text, name
+
+
+def test_what_a_student_gets_is_a_task_that_others_read(varied: VariedTask, tmp_path: Path) -> None:
+    variant, found, _ = given(varied, "kurt")
+    path = tmp_path / "own.zip"
+    path.write_bytes(found.data)
+    with pytest.raises(CannotRead, match="has no variants"):
+        load_varied(path)
+    program = varied.reference(variant.combination)
+    assert program is not None
+    a = assess(Request(ProgramFile(program, "r.v2"), varied.setting(variant.combination)))
+    assert a.grade is not None
+    assert (a.grade.mark, a.grade.ready) == (a.grade.total, True)
+
+
+def test_values_of_a_programs_own_stay(varied: VariedTask) -> None:
+    scene = varied.base.scene
+    there = varied.setting(drawn(varied.variants, KEY, "ada").combination).scene
+    safe, other = scene.locations["safe"], there.locations["safe"]
+    line = "safe 900 20, 40.0 90 90 0 ; high\r\nmine 900 20 40 90 90 0\r\ncan1_grip 1 2 3 4 5 6\r\n"
+    program = f"TYPE 'ä'\r\n.LOCATIONS\r\n{line}.END\r\n".encode("latin-1")
+    moved = with_places(program, scene.locations, there.locations, {"can1_grip"})
+    assert shown(safe) != shown(other)
+    assert taught(moved) == {"safe": shown(other), "mine": (900, 20, 40, 90, 90, 0)}
+    assert moved.startswith("TYPE 'ä'\r\n".encode("latin-1"))
+
+
+def test_a_variant_that_is_no_sound_task_is_named(tmp_path: Path) -> None:
+    lab = copied(tmp_path)
+    text = (lab / "task.toml").read_text()
+    (lab / "task.toml").write_text(text.replace("[980, -90]", "[1060, 190]"))  # as base2
+    with pytest.raises(Refused) as refused:
+        load_varied(lab).setting((0, 0, 0, 0, 4, 0, 0, 0))
+    (found,) = refused.value.diagnostics
+    assert "base1" in found.headline
+    assert any("base1 = [1060, 190], base2 = [1060, 190]" in note for note in found.notes)
+
+
+def test_the_key_is_for_its_owner_and_is_never_taken_from_elsewhere(tmp_path: Path) -> None:
+    path = tmp_path / NAME
+    with pytest.raises(CannotRead, match="there is no key"):
+        key_of(path)
+    key, made = key_made(path)
+    assert (len(key), made, path.stat().st_mode & 0o777) == (32, True, 0o600)
+    assert key_made(path) == (key, False)
+    link = tmp_path / "link"
+    link.symlink_to(path)
+    for wrong in (link, tmp_path / "other"):
+        if wrong is not link:
+            wrong.write_text("secret\n")
+        with pytest.raises(Refused) as refused:
+            key_made(wrong)
+        assert "is no key that vrts has written" in refused.value.diagnostics[0].headline
