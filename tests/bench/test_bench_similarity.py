@@ -1,12 +1,15 @@
-"""What the ranking of a class costs: 300 and 1000 programs of 100 lines, each with each."""
+"""What likeness costs: 300 and 1000 programs of 100 lines, and 300 with a corpus of 1000."""
 
 from random import Random
-from time import process_time
+from time import monotonic, process_time
 
 import pytest
 
+from vrts.marking.similarity.features.extract import Program
+from vrts.marking.similarity.likeness import likeness
 from vrts.marking.similarity.page import similarity_page
 from vrts.marking.similarity.ranking import similarity
+from vrts.marking.submission.sketch import Sketch, Stop
 
 STEPS = (
     "MOVE {n}",
@@ -58,3 +61,38 @@ def test_a_class_each_with_each(count: int) -> None:
     )
     copies = {pair.first for pair in ranking.pairs if pair.score > 0.8}
     assert len(copies) == len(programs) - count
+
+
+def sketch(seed: int) -> Sketch:
+    """Return what a run of about 60 motions did."""
+    draw = Random(seed)
+    things = ("can1", "can2", "base1", "base2")
+
+    def stop(line: int) -> Stop:
+        x, y, z = (draw.randrange(-9000, 9000, 50) for _ in range(3))
+        thing = draw.choice(things)
+        hand = draw.choice(("", "", "open", "close"))
+        straight, speed, held = draw.random() < 0.5, draw.randrange(5, 100, 5), ""
+        at, beside = (x, y, z), (x - 500, y, z + 700)
+        return Stop(line, straight, speed, at, (0, 0, -100), thing, beside, held, hand, False)
+
+    return Sketch("vrts.motion/1", tuple(stop(line) for line in range(1, 61)))
+
+
+def test_a_class_of_300_with_a_corpus_of_1000() -> None:
+    programs = {f"s{k:03d}": Program(program(k), sketch(k)) for k in range(290)}
+    for k in range(10):
+        copied = program(k).replace(b"120", b"130").replace(b"MOVE a", b"MOVE zz")
+        programs[f"copy{k}"] = Program(copied, sketch(k))
+    corpus = {f"old{k:04d}": Program(program(5000 + k), sketch(5000 + k)) for k in range(1000)}
+    begin, busy = monotonic(), process_time()
+    found = likeness(programs, corpora={"2025": corpus}, jobs=2)
+    took = monotonic() - begin
+    strong = [group for group in found.groups if group.strength == "strong"]
+    print(
+        f"\n300 programs with a corpus of 1000: {took:.1f} s on two cores"
+        f" ({process_time() - busy:.1f} s of it in this process), {len(found.groups)} groups,"
+        f" {len(strong)} strong"
+    )
+    assert {group.members for group in strong} == {(f"copy{k}", f"s{k:03d}") for k in range(10)}
+    assert took < 30

@@ -90,6 +90,9 @@ def spelled(found: Argument, known: Known, *, numbers: bool, depth: int = 0) -> 
                 return _constant(value, numbers=numbers)
             return f"{operator.value}({inner(operand)})"
         case Binary(operator, left, right):
+            value = constant_of(found, known)
+            if value is not None:
+                return _constant(value, numbers=numbers)
             parts = [inner(left), inner(right)]
             if operator in _TURNED:
                 operator = _TURNED[operator]
@@ -117,6 +120,12 @@ def constant_of(found: Argument, known: Known, depth: int = 0) -> float | None:
         case Unary(UnaryOperator.MINUS, operand):
             value = constant_of(operand, known, depth + 1)
             return None if value is None else -value
+        case Binary(operator, left, right):
+            one = constant_of(left, known, depth + 1)
+            other = constant_of(right, known, depth + 1)
+            if one is None or other is None:
+                return None
+            return _computed(operator, one, other)
         case Load(place) | (Place() as place) if not place.subscripts:
             variable = place.variable
             if isinstance(variable, Slot):
@@ -125,6 +134,33 @@ def constant_of(found: Argument, known: Known, depth: int = 0) -> float | None:
                     return None
                 return constant_of(given, known.outer, depth + 1)
             return known.constants.get(variable.name)
+        case _:
+            return None
+
+
+def _computed(operator: BinaryOperator, one: float, other: float) -> float | None:
+    """Return what an operator makes of two numbers; None: it is not worked out here."""
+    match operator:
+        case BinaryOperator.ADD:
+            return one + other
+        case BinaryOperator.SUBTRACT:
+            return one - other
+        case BinaryOperator.MULTIPLY:
+            return one * other
+        case BinaryOperator.DIVIDE:
+            return one / other if other else None
+        case BinaryOperator.EQUAL:
+            return float(one == other)
+        case BinaryOperator.NOT_EQUAL:
+            return float(one != other)
+        case BinaryOperator.LESS:
+            return float(one < other)
+        case BinaryOperator.LESS_EQUAL:
+            return float(one <= other)
+        case BinaryOperator.GREATER:
+            return float(one > other)
+        case BinaryOperator.GREATER_EQUAL:
+            return float(one >= other)
         case _:
             return None
 

@@ -64,7 +64,7 @@ class _Writer:
         self._speed, self._once = "", ""
         reached = _reached(module, programs)
         flat = [one for program in reached for one in program.instructions]
-        self._read = frozenset[str]().union(*map(_read_by, flat))
+        self._read = _read(flat)
         self._constants = _constants(module, flat)
 
     def write(self, name: str) -> None:
@@ -124,6 +124,8 @@ class _Writer:
             return variable.name not in self._read or (
                 not one.place.subscripts and variable.name in self._constants
             )
+        if isinstance(one, JumpIf):
+            return constant_of(one.condition, known) is not None
         if not isinstance(one, Delay):
             return False
         waits = constant_of(one.time, known)
@@ -144,6 +146,24 @@ def _reached(module: Module, programs: Sequence[str]) -> list[Program]:
             if isinstance(named, str):
                 left.append(named)
     return list(found.values())
+
+
+def _read(flat: Sequence[Instruction]) -> frozenset[str]:
+    """Return the variables whose values reach anything but other variables, and what is typed."""
+    live: set[str] = set()
+    feeds: list[tuple[str, frozenset[str]]] = []
+    for one in flat:
+        if isinstance(one, Type):
+            continue
+        if isinstance(one, Assign) and not isinstance(one.place.variable, Slot):
+            feeds.append((one.place.variable.name, _read_by(one)))
+        else:
+            live |= _read_by(one)
+    while True:
+        more = {name for to, names in feeds if to in live for name in names} - live
+        if not more:
+            return frozenset(live)
+        live |= more
 
 
 def _read_by(one: Instruction) -> frozenset[str]:

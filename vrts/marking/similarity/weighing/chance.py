@@ -21,13 +21,14 @@ ENOUGH_PAIRS = 1500  # of a class, that tell what chance can do without those of
 AS_ALIKE = 0.6  # share of the likeness of a class, that programs of the same task have with it
 NEARLY = 0.8  # share of a program from which on another is nearly the same
 LONG = 100.0  # nats of what is common, from which on a program is not alike for being short
-SURE = 22.0  # nats
+SURE = 32.0  # nats
 LEAST_PAIRS = 500.0  # a small class is taken for a larger one: little is known of it
 MOST_SURPRISE = 40.0  # nats of one channel
 # of the channels, in their order: comments and layout are alike for many innocent reasons
 FACTORS = (1.0, 1.0, 1.0, 0.7, 1.0)
 NEIGHBOURS = slice(3, 8)  # of a program, by likeness: what is usual for it
 BEGIN, TAIL, END = 0.80, 0.95, 0.995  # quantiles between which innocent pairs thin out evenly
+USUAL_START = 6.0  # nats of surprise, from experience
 USUAL_TAIL = 2.4  # nats by which surprises fall to 1/e, from experience
 LEAST_TAIL = 1.0
 
@@ -158,5 +159,5 @@ def _tail(sample: Floats) -> tuple[float, float]:
     if len(sample) >= ENOUGH_PAIRS:
         falls.append((end - start) / np.log((1.0 - TAIL) / (1.0 - END)))
     scale = trust * max(falls) + (1.0 - trust) * USUAL_TAIL
-    start = trust * start + (1.0 - trust) * max(begin, 0.0)
+    start = trust * start + (1.0 - trust) * USUAL_START
     return start, max(LEAST_TAIL, scale)

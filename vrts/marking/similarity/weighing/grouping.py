@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-HANG_TOGETHER = 0.55  # of the strongest link of two groups, that the mean of all must have
+HANG_TOGETHER = 0.55  # of the strongest link of a group, that the mean of new ones must have
 LEAST_LINK = 0.2  # of it, that every link must have
 
 
@@ -52,12 +52,12 @@ def groups_of(
             for y in cluster[b]
             if min(x, y) < own and compared[min(x, y), max(x, y)]
         ]
-        strongest = max(between)
+        kept, gone = min(a, b), max(a, b)
+        tops = [best[k] for k in (kept, gone) if k in best] or [(i, j)]
+        strongest = max(*between, *(float(surprise[pair]) for pair in tops))
         fits = np.mean(between) >= HANG_TOGETHER * strongest
         if not fits or min(between) < LEAST_LINK * strongest:
             continue
-        kept, gone = min(a, b), max(a, b)
-        tops = [best[k] for k in (kept, gone) if k in best] or [(i, j)]
         cluster[kept] |= cluster.pop(gone)
         for one in cluster[kept]:
             home[one] = kept

@@ -24,7 +24,7 @@ class Shares(NamedTuple):
     """What programs have in common, of one channel."""
 
     share: Floats  # shape (class, class + others), from 0 to 1; the diagonal means nothing
-    same: Floats  # likewise, of the larger of the two, and without doubt
+    same: Floats  # likewise, of the larger of the two, without doubt; 1 where nothing is rare
     common: Floats  # nats of what is common
     digests: NDArray[np.int64]  # of all features, sorted
     weights: NDArray[np.float64]  # nats that it counts when two share one
@@ -73,7 +73,7 @@ def shares(
     more = np.maximum(sizes[:count, None], sizes[None, :])
     whole = less**SMALLER * more ** (1.0 - SMALLER)
     share = np.minimum(1.0, common / (whole + DOUBT)).astype(np.float32)
-    same = np.divide(common, more, out=np.zeros_like(common), where=more > 0).astype(np.float32)
+    same = np.divide(common, more, out=np.ones_like(common), where=more > 0).astype(np.float32)
     return Shares(share, same, common.astype(np.float32), known, weights, everywhere)
 
 

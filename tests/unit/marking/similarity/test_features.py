@@ -1,0 +1,132 @@
+"""What of a program counts as the same, whatever it is disguised as."""
+
+import msgspec
+
+from tests.unit.marking.similarity.support import ORIGINAL, disguised
+from vrts.marking.similarity.features.extract import CHANNELS, Program, digests_of, features_of
+from vrts.marking.similarity.features.feature import Channel
+from vrts.marking.similarity.features.motion import motion_features
+from vrts.marking.similarity.features.steps import steps_of
+from vrts.marking.similarity.features.words import words_of
+from vrts.marking.similarity.symbols import Reader
+from vrts.marking.submission.sketch import Sketch, Stop
+from vrts.pipeline.compiling.programs import compile_bytes
+
+LOOP = """.PROGRAM main()
+  OPENI
+  FOR i = 1 TO 3
+    APPRO part[i], 120
+    MOVES part[i]
+    CLOSEI
+    DEPARTS 200
+  END
+.END
+"""
+WHILE = """.PROGRAM main()
+  k = 1
+  OPENI
+  WHILE k <= 3 DO
+    CALL fetch(p[k])
+    k = k+1
+  END
+.END
+.PROGRAM fetch(x)
+  unused = 4
+  APPRO x, h
+  MOVES x
+  TYPE "there"
+  CLOSEI
+  DELAY 0.01
+  DEPARTS 100+100
+.END
+.PROGRAM never()
+  READY
+.END
+.REALS
+h 120
+.END
+"""
+
+
+def deeds(text: str) -> list[str]:
+    """Return what a program does with arm and hand, with numbers."""
+    module = compile_bytes(text.encode(), "a").compilation
+    assert module is not None
+    assert module.module is not None
+    names = ("Move", "Depart", "MoveHand")
+    return [step.exact for step in steps_of(module.module) if step.name.split()[0] in names]
+
+
+def test_a_while_a_call_and_filler_are_no_disguise_of_a_for() -> None:
+    assert deeds(LOOP) == deeds(WHILE)
+    assert len(deeds(LOOP)) == 5
+    assert "120" in deeds(WHILE)[1]
+
+
+def test_the_test_and_the_count_of_both_loops_are_one() -> None:
+    def shapes(text: str) -> set[str]:
+        module = compile_bytes(text.encode(), "a").compilation
+        assert module is not None
+        assert module.module is not None
+        return {s.exact for s in steps_of(module.module) if s.name[:4] in ("Jump", "Assi")}
+
+    assert shapes(LOOP) == shapes(WHILE)
+
+
+def test_a_comparison_that_is_turned_round_is_the_same() -> None:
+    text = ".PROGRAM a()\n  IF {} THEN\n    READY\n  END\n.END\n"
+    one, two = text.format("SIG(1) AND HAND < 12"), text.format("12 > HAND AND SIG(1)")
+    found = [compile_bytes(t.encode(), "a").compilation for t in (one, two)]
+    steps = [steps_of(c.module) for c in found if c is not None and c.module is not None]
+    assert steps[0][0].exact == steps[1][0].exact
+
+
+def test_names_comments_and_layout_change_no_step() -> None:
+    reader = Reader()
+    one = digests_of(Program(ORIGINAL.encode()), "a", reader)
+    two = digests_of(Program(disguised().encode()), "b", reader)
+    shared = [
+        len({*a} & {*b}) / max(1, len(a)) for a, b in zip(one.channels, two.channels, strict=True)
+    ]
+    by = dict(zip(CHANNELS, shared, strict=True))
+    assert by[Channel.STEPS] > 0.7
+    assert by[Channel.STEPS] > by[Channel.NUMBERS]
+
+
+def stop(x: int, y: int, z: int, line: int = 1, thing: str = "can1") -> Stop:
+    return Stop(line, True, 50, (x, y, z), (0, 0, -100), thing, (x - 70, y, z), "", "", False)
+
+
+def places(*stops: Stop) -> set[int]:
+    return {f.digest for f in motion_features(Sketch("vrts.motion/1", stops))}
+
+
+def test_a_shift_of_the_scene_leaves_what_lies_beside_things() -> None:
+    here = (stop(100, 0, 0), stop(1100, 0, 0), stop(1100, 700, 0))
+    there = tuple(shifted(one, 3000) for one in here)
+    assert places(*here) & places(*there)
+    assert {f.kind for f in motion_features(Sketch("vrts.motion/1", here))} >= {"near", "stretch"}
+
+
+def shifted(one: Stop, by: int) -> Stop:
+    """Return a stop in a scene in which everything stands elsewhere."""
+    x, y, z = one.at
+    return msgspec.structs.replace(one, at=(x + by, y, z))
+
+
+def test_places_that_the_scene_names_are_no_evidence() -> None:
+    named = Stop(1, True, 50, (1, 2, 3), (0, 0, -100), "can1", (0, 0, 0), "", "", True)
+    assert list(motion_features(Sketch("vrts.motion/1", (named,)))) == []
+
+
+def test_every_feature_has_words_that_a_person_can_read() -> None:
+    sketch = Sketch("vrts.motion/1", (stop(0, 0, 0), stop(900, 0, 0), stop(900, 800, 5)))
+    program = Program(ORIGINAL.encode(), sketch)
+    found = [words_of(feature) for feature in features_of(program, "a", Reader())]
+    assert all(found)
+    assert all(len(words) <= 220 for words in found)
+    assert any(words.startswith("the same taught value to 0.01: (512.3, -81.7") for words in found)
+
+
+def test_what_is_no_text_has_no_features() -> None:
+    assert list(features_of(Program(b"\0\1\2"), "a", Reader())) == []
