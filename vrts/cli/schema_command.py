@@ -11,7 +11,7 @@ Examples:
   vrts schema result
 """
 
-RESULTS = ("result", "class", "similarity", "futures", "identified")
+RESULTS = ("result", "class", "similarity", "decisions", "decided", "futures", "identified")
 
 
 @click.command(name="schema", epilog=EPILOG)
@@ -27,9 +27,10 @@ def command(what: str) -> None:
 
     vrts gives `result`, students/ID/result.json, one marked submission; `class`,
     staff/results.json, all rows with names, deductions and final marks; `similarity`,
-    staff/similarity.json, which programs share what few others have; `futures`, what `vrts prove
-    --format json` prints, and `identified`, what `vrts validate --identify --json` prints of one
-    log.
+    staff/similarity.json, which programs share what few others have; `decisions`, one line of a
+    grader's file in staff/decisions; `decided`, what `vrts grade decisions --format json` prints;
+    `futures`, what `vrts prove --format json` prints, and `identified`, what `vrts validate
+    --identify --json` prints of one log.
     """
     if what in KINDS:
         out(input_schema(what))

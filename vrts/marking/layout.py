@@ -5,6 +5,7 @@ from pathlib import Path
 STUDENTS, STAFF = "students", "staff"
 STAGING = ".staging"  # in `staff`: what processes are writing
 COMPARED = "similarity"  # in `staff`: programs to compare with, and pages of two of them
+DECISIONS = "decisions"  # in `staff`: a file for each grader
 RESULT = "result.json"
 LOST = "lost.txt"  # why a process gave no answer, or only the mark
 
@@ -22,7 +23,7 @@ class Layout:
         self.intake = self.staff / "intake.csv"
         self.variants = self.staff / "variants"  # tasks by which students were marked, by tag
         self.overrides = self.staff / "overrides.toml"
-        self.decisions = self.staff / "decisions"  # a file for each grader
+        self.decisions = self.staff / DECISIONS
 
     def student(self, identifier: str) -> Path:
         """Return the folder that may be sent to a student."""

@@ -4,15 +4,19 @@ from typing import Any
 
 import msgspec
 
+from vrts.marking.by_hand.decisions.listing import Listing
+from vrts.marking.by_hand.decisions.records import Decision
 from vrts.marking.result import Result
 from vrts.marking.row import Class
 from vrts.marking.similarity.ranking import Ranking
 from vrts.report.formats.futures_schema import Futures
 
-SCHEMAS: dict[str, tuple[type, str]] = {
+SCHEMAS: dict[str, tuple[Any, str]] = {
     "result": (Result, "Result of one VAL-II submission marked by vrts"),
     "class": (Class, "Marks of a class"),
     "similarity": (Ranking, "Programs of a class that are alike"),
+    "decisions": (Decision, "A line of a grader's file in `staff/decisions`, after the first"),
+    "decided": (Listing, "What `vrts grade decisions --format json` prints"),
     "futures": (Futures, "Every future of a VAL-II program, as `vrts prove` found it"),
 }
 

@@ -4,13 +4,13 @@ import os
 from datetime import UTC, datetime
 from fractions import Fraction
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from vrts.cli.grade.options import despite_option
 from vrts.cli.shared.console import fail, guarded, say, show_diagnostics
-from vrts.cli.shared.options import color_option, file_option
+from vrts.cli.shared.options import Option, color_option, file_option
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -60,6 +60,21 @@ NAMES = (
 )  # a test holds them against the table of formats, which is imported when it is used
 
 
+def decimal_option() -> Option[Any]:
+    """Return `--decimal`."""
+    return click.option(
+        "--decimal",
+        type=click.Choice(sorted(DECIMALS)),
+        help="Decimal sign; with `comma` a `csv` has semicolons. Without it as FILE writes them.",
+    )
+
+
+def require_decimals(decimal: str | None, names: "Sequence[str]") -> None:
+    """Refuse `--decimal` where no format takes it."""
+    if decimal is not None and not set(names) & set(WITH_DECIMALS):
+        fail("`--decimal` is for the formats csv, moodle and canvas: the others have their own way")
+
+
 @click.command(name="export", epilog=EPILOG)
 @click.argument("folder", metavar="OUT", type=click.Path(path_type=Path))
 @click.option(
@@ -85,11 +100,7 @@ NAMES = (
     type=click.Choice([",", ";"]),
     help="Separator of fields in `csv`, usually `,`; with `;` numbers have a decimal comma.",
 )
-@click.option(
-    "--decimal",
-    type=click.Choice(sorted(DECIMALS)),
-    help="Decimal sign; with `comma` a `csv` has semicolons. Without it as FILE writes numbers.",
-)
+@decimal_option()
 @despite_option()
 @file_option(
     "-o",
@@ -116,10 +127,10 @@ def command(
     """Write the marks in OUT in the formats of other systems.
 
     OUT is the folder that `vrts grade` wrote with -o. The marks are final: after lateness, and
-    after the changes by hand that are in OUT/staff/overrides.toml now. A worksheet or grade book is
-    only filled in: every other field, the order of rows and columns, delimiter, decimal mark and
-    line ends stay as they are. Students are found by id, then by address or login, then by name.
-    What students get says nothing of hidden checks.
+    after what is decided by hand in OUT/staff/overrides.toml and OUT/staff/decisions now. A
+    worksheet or grade book is only filled in: every other field, the order of rows and columns,
+    delimiter, decimal mark and line ends stay as they are. Students are found by id, then by
+    address or login, then by name. What students get says nothing of hidden checks.
 
     Nothing that may be taken for final is written while marks are unsafe: late without a time,
     ambiguous, undetermined, and so on. `vrts grade change` decides one of them, `--despite` accepts
@@ -136,8 +147,7 @@ def command(
     from vrts.marking.exports.earlier_marks import with_times_judged
     from vrts.marking.exports.given import Options
 
-    if decimal is not None and not set(names) & set(WITH_DECIMALS):
-        fail("`--decimal` is for the formats csv, moodle and canvas: the others have their own way")
+    require_decimals(decimal, names)
     written = read_written(folder)
     by_hand = written.by_hand()
     show_diagnostics(by_hand.diagnostics, color)

@@ -10,7 +10,14 @@ from typing import TYPE_CHECKING
 
 import click
 
-from vrts.cli.grade.export_command import NAMES, export, given_page
+from vrts.cli.grade.export_command import (
+    DECIMALS,
+    NAMES,
+    decimal_option,
+    export,
+    given_page,
+    require_decimals,
+)
 from vrts.cli.grade.options import (
     again_option,
     corpus_option,
@@ -115,6 +122,7 @@ vrts grade [TASK] --session FILE.
     metavar="FILE",
     help="The worksheet or grade book to fill in, for `--export moodle` or `canvas`.",
 )
+@decimal_option()
 @despite_option()
 @click.option("--verify", is_flag=True, help="Mark a random sample again, and compare.")
 @click.option(
@@ -152,6 +160,7 @@ def command(
     backend: str | None,
     formats: tuple[str, ...],
     fill: Path | None,
+    decimal: str | None,
     despite: tuple[str, ...],
     verify: bool,
     sample: int,
@@ -203,6 +212,7 @@ def command(
     layout = None if folder is None else Layout(folder)
     if formats and layout is None:
         fail("`--export` needs a folder for results", ("name it with `-o`",))
+    require_decimals(decimal, formats)
     if pseudonyms and layout is None:
         fail("`--pseudonyms` needs a folder for results", ("name it with `-o`",))
     if layout is not None and not pseudonyms:
@@ -237,7 +247,7 @@ def command(
         out(class_to_bytes(marked.rows).decode().rstrip("\n"))
     good = not verify or _same_again(marker, marked, sample, how.jobs)
     if layout is not None and formats:
-        good = _export(formats, marked, layout, page, despite, color) and good
+        good = _export(formats, marked, layout, page, despite, decimal, color) and good
     if any(done.result.is_fault for done in marked.done):
         sys.exit(FAULT)
     sys.exit(HOLDS if good else WRONG)
@@ -263,6 +273,7 @@ def _export(
     layout: "Layout",
     page: "Page | None",
     despite: "Sequence[str]",
+    decimal: str | None,
     color: str,
 ) -> bool:
     """Write the marks in other formats; return whether all were written."""
@@ -270,7 +281,13 @@ def _export(
     from vrts.marking.row import counted
     from vrts.pipeline.refused import Refused
 
-    options = Options(page, now=datetime.now(UTC), despite=frozenset(despite))
+    options = Options(
+        page,
+        delimiter=";" if decimal == "comma" else ",",
+        now=datetime.now(UTC),
+        decimal=DECIMALS.get(decimal or "", ""),
+        despite=frozenset(despite),
+    )
     try:
         export(formats, counted(marked.rows), layout, options, color)
     except Refused as problem:

@@ -16,7 +16,7 @@ from typing import NamedTuple
 from vrts.base.diagnostic import Rule, error
 from vrts.marking import about
 from vrts.marking.about import About
-from vrts.marking.layout import COMPARED, STAFF, STAGING, STUDENTS, write_atomically
+from vrts.marking.layout import COMPARED, DECISIONS, STAFF, STAGING, STUDENTS, write_atomically
 from vrts.marking.privacy.statistics_of_class import NAME as STATISTICS
 from vrts.marking.privacy.statistics_of_class import statistics_of
 from vrts.marking.privacy.statistics_of_class import to_bytes as statistics_to_bytes
@@ -30,8 +30,7 @@ A_LINK = Rule("V769", "link-in-the-way")
 RESULTS = "results.json"
 FOLDERS = (
     *(STUDENTS, f"{STAFF}/{STUDENTS}", f"{STAFF}/exports", f"{STAFF}/{STAGING}"),
-    f"{STAFF}/{COMPARED}",
-    f"{STAFF}/variants",
+    *(f"{STAFF}/{COMPARED}", f"{STAFF}/variants", f"{STAFF}/{DECISIONS}"),
 )
 FILES = (
     *(

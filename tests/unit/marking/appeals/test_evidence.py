@@ -1,9 +1,11 @@
 """Evidence: all that a mark rests on, nothing of others; the same result, or what differs."""
 
 import io
+import json
 import shutil
 import zipfile
 from collections.abc import Callable
+from datetime import UTC, datetime
 from hashlib import sha256
 from pathlib import Path
 from typing import NamedTuple
@@ -19,13 +21,15 @@ from vrts.assignments.task_folder import read_folder
 from vrts.check.proof.certificate import certificate_bytes, read_certificate
 from vrts.cli.main import vrts
 from vrts.marking.appeals.evidence import CONTENTS, Contents
-from vrts.marking.appeals.evidence_zip import known_name
+from vrts.marking.appeals.evidence_zip import known_name, read_evidence
 from vrts.marking.appeals.pack_evidence import pack_evidence
 from vrts.marking.appeals.written import read_written
+from vrts.marking.by_hand.decisions.files import add_decisions
+from vrts.marking.by_hand.decisions.records import Comment, Excuse, Extend, Give, Item, Undo
 from vrts.marking.by_hand.override_text import add_overrides
 from vrts.marking.by_hand.overrides import Override
 from vrts.marking.layout import Layout
-from vrts.marking.result import from_bytes, to_bytes
+from vrts.marking.result import Kind, from_bytes, to_bytes
 from vrts.marking.row import Row
 from vrts.marking.submission.one import Wanted
 
@@ -303,6 +307,35 @@ def test_a_change_by_hand_goes_along(marked: Marked, tmp_path: Path) -> None:
     assert row.change is not None
     assert row.change.delta == "1"
     assert "reason anna" in members(data)["README.txt"].decode()
+
+
+def test_decisions_of_graders_go_along_and_nobody_else_is_in_them(
+    marked: Marked, tmp_path: Path
+) -> None:
+    shutil.copytree(marked.out, tmp_path / "out")
+    both = ("anna", "cara")
+    said = (
+        Item(0, "", "style", "no comments", "-1/2"),
+        Give(0, "", "style", both, programs=dict.fromkeys(both, "none")),
+        Comment(0, "", "cara", "about cara"),
+        Comment(0, "", "anna", "about anna"),
+        Comment(0, "", "anna", "PRIVATE", private=True),
+        Undo(0, "", ("rh:3", "rh:4")),
+        Extend(0, "", both, "2026-12-01T00:00:00+01:00", "ill"),
+        Excuse(0, "", both, "ill"),
+    )
+    add_decisions(Layout(tmp_path / "out").decisions, "RH", said, datetime.now(UTC))
+    row, data = pack_evidence(read_written(tmp_path / "out"), "anna")
+    assert row.result.kind is Kind.EXCUSED
+    lines = [json.loads(line) for line in members(data)["decisions.jsonl"].splitlines()]
+    assert [line["record"] for line in lines] == [f"rh:{k}" for k in (1, 2, 4, 6, 7, 8)]
+    assert lines[3]["records"] == ["rh:4"]
+    everything = b"".join(members(data).values())
+    assert b"cara" not in everything
+    assert b"PRIVATE" not in everything
+    place = tmp_path / "evidence.zip"
+    place.write_bytes(data)
+    assert read_evidence(place).row == row
 
 
 def test_a_program_that_is_not_there_any_more_is_told(marked: Marked, tmp_path: Path) -> None:

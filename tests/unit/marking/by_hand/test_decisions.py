@@ -7,13 +7,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.unit.marking.by_hand.support import AT, change, ledger, written
 from vrts.marking.by_hand.decisions.counting import counted
 from vrts.marking.by_hand.decisions.graders import grader_called
-from vrts.marking.by_hand.decisions.ledger import Ledger, ledger_of
+from vrts.marking.by_hand.decisions.ledger import ledger_of
 from vrts.marking.by_hand.decisions.records import (
-    SCHEMA,
     Assign,
-    Beginning,
     ChangeMark,
     Comment,
     Decide,
@@ -28,34 +27,12 @@ from vrts.marking.by_hand.decisions.records import (
 from vrts.marking.by_hand.decisions.state import NOTHING, State, state_of
 from vrts.pipeline.refused import Refused
 
-AT = "2026-11-26T20:00:00+00:00"
 OLD, NEW = "a" * 64, "b" * 64
-
-
-def written(grader: str, *said: Decision) -> bytes:
-    """Return a file of a grader; numbers are given in order."""
-    numbered = [msgspec.structs.replace(one, number=k) for k, one in enumerate(said, 1)]
-    lines = (
-        msgspec.json.encode(one) for one in (Beginning(SCHEMA, grader, grader.title()), *numbered)
-    )
-    return b"".join(line + b"\n" for line in lines)
-
-
-def ledger(**files: tuple[Decision, ...]) -> Ledger:
-    """Return the ledger of files, by grader."""
-    found = ledger_of({f"{name}.jsonl": written(name, *said) for name, said in files.items()})
-    assert not found.diagnostics
-    return found
 
 
 def decided(**files: tuple[Decision, ...]) -> State:
     """Return what is decided in files."""
     return state_of(ledger(**files))
-
-
-def change(*students: str, delta: str | None = None, mark: str | None = None) -> ChangeMark:
-    """Return a change of a mark."""
-    return ChangeMark(1, AT, students, "looked at", delta, mark)
 
 
 def test_between_files_nothing_replaces_anything() -> None:

@@ -32,7 +32,16 @@ def marked(folder: Path, days: float) -> Path:
             for name in ("result.json", "report.html", "run.rrd"):
                 (home / name).write_text(identifier)
     (layout.staff / "exports").mkdir()
-    for name in ("exports/moodle.csv", "intake.csv", "names.csv", "index.html", "similarity.html"):
+    (layout.staff / "decisions").mkdir()
+    for name in (
+        "exports/moodle.csv",
+        "decisions/rh.jsonl",
+        "decisions/.lock",
+        "intake.csv",
+        "names.csv",
+        "index.html",
+        "similarity.html",
+    ):
         (layout.staff / name).write_text("Anna Berger")
     finished = datetime.now(UTC) - timedelta(days=days)
     about = About(

@@ -20,7 +20,7 @@ Name = Annotated[
 Student = Annotated[str, Meta(min_length=1, max_length=200, description="id in the class")]
 Students = Annotated[tuple[Student, ...], Meta(min_length=1, max_length=5000)]
 Words = Annotated[str, Meta(min_length=1, max_length=2000)]
-Line = Annotated[int, Meta(ge=1, le=1_000_000)]
+LineNumber = Annotated[int, Meta(ge=1, le=1_000_000)]
 Time = Annotated[float, Meta(ge=0, le=1_000_000, description="s, in the run")]
 Identifier = Annotated[str, Meta(pattern=r"^[a-z0-9][a-z0-9-]{0,39}$")]
 Digest = Annotated[str, Meta(pattern=r"^([0-9a-f]{64}|none|)$", description="sha256 of a program")]
@@ -53,7 +53,7 @@ class Comment(Said, frozen=True, tag="comment"):
 
     student: Student
     text: Words
-    line: Line | None = None
+    line: LineNumber | None = None
     time_s: Time | None = None
     program: Digest = ""
     private: Annotated[bool, Meta(description="for those who mark only")] = False
@@ -77,7 +77,7 @@ class Give(Said, frozen=True, tag="give"):
 
     item: Identifier
     students: Students
-    line: Line | None = None
+    line: LineNumber | None = None
     time_s: Time | None = None
     programs: Digests = msgspec.field(default_factory=dict)
 

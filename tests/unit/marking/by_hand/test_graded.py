@@ -1,0 +1,207 @@
+"""What graders' decisions make of a row: marks, lateness, doubts, words; and all of it undone."""
+
+from datetime import UTC, datetime, timedelta
+from fractions import Fraction
+
+from msgspec.structs import replace
+
+from tests.support_rows import plain_result
+from tests.unit.marking.by_hand.support import AT, change, ledger
+from vrts.base.source import SourceFile
+from vrts.check.task.late_rules import LateRules
+from vrts.marking.by_hand.by_hand import ByHand, all_lapses, with_by_hand
+from vrts.marking.by_hand.decisions.records import (
+    Comment,
+    Decide,
+    Decision,
+    Excuse,
+    Extend,
+    Finish,
+    Give,
+    Item,
+    Undo,
+)
+from vrts.marking.by_hand.decisions.state import prepared
+from vrts.marking.by_hand.overrides import NONE, program_of, read_overrides
+from vrts.marking.exports.feedback import feedback_text
+from vrts.marking.exports.given import Returned
+from vrts.marking.exports.steps import steps
+from vrts.marking.lateness import in_row, lateness
+from vrts.marking.result import Kind, Program
+from vrts.marking.row import (
+    Class,
+    HandedIn,
+    Row,
+    Student,
+    class_from_bytes,
+    class_to_bytes,
+    row_of,
+)
+from vrts.marking.unsafe import Reason
+
+DUE = datetime(2026, 11, 20, 12, tzinfo=UTC)
+RULES = LateRules(DUE, per_day=Fraction(1))
+OTHER = "b" * 64
+ITEM = Item(1, AT, "comments", "no comments", "-1/2")
+GIVEN = Give(1, AT, "comments", ("anna",), 9)
+
+
+def row(mark: float = 8.0, received: datetime | None = DUE) -> Row:
+    """Return the row of Anna, as marking makes it."""
+    result = replace(plain_result("anna"), mark=mark)
+    late = in_row(lateness(RULES, received), result)
+    when = None if received is None else received.isoformat()
+    return row_of(result, Student("Anna"), HandedIn("a.v2", received=when), late)
+
+
+def by_hand(overrides: str = "", /, **files: tuple[Decision, ...]) -> ByHand:
+    """Return decisions of graders beside an `overrides.toml`."""
+    held = ledger(**files)
+    read = read_overrides(SourceFile("o.toml", overrides), ("anna",)) if overrides else NONE
+    return ByHand(read, held, prepared(held), RULES)
+
+
+def decided(before: Row, overrides: str = "", /, **files: tuple[Decision, ...]) -> Row:
+    """Return a row with decisions; they are taken off again without a trace."""
+    after = with_by_hand(before, by_hand(overrides, **files))
+    assert with_by_hand(after, ByHand()) == before
+    assert with_by_hand(after, by_hand(overrides, **files)) == after
+    (read,) = class_from_bytes(class_to_bytes(Class("vrts.class/1", "Lab", (after,)))).rows
+    assert read == after
+    return after
+
+
+def reasons(found: Row) -> list[Reason]:
+    """Return why a mark is unsafe."""
+    return [doubt.reason for doubt in found.unsafe]
+
+
+def added(found: Row) -> dict[str, Fraction]:
+    """Return the steps by title; they add up."""
+    made = steps(found)
+    final, computed = found.exact_final, found.result.exact_mark
+    assert final is not None
+    assert computed is not None
+    assert sum(one.points for one in made) == final - computed
+    return {one.title: one.points for one in made}
+
+
+def test_items_count_once_and_are_steps_with_who_gave_them() -> None:
+    again = Give(1, AT, "comments", ("anna",), None, 3.2)
+    found = decided(row(), huber=(ITEM, GIVEN), lang=(again,))
+    assert found.final == 7.5
+    assert added(found) == {"no comments": Fraction(-1, 2)}
+    assert found.change is not None
+    assert (found.change.who, found.change.date) == ("Huber, Lang", "2026-11-26")
+    assert found.decided is not None
+    assert found.decided.items[0].places == ((9, None), (None, 3.2))
+    assert decided(row(), huber=(ITEM, GIVEN, replace(ITEM, points="-2"))).final == 6.0
+    assert decided(row(), huber=(ITEM, GIVEN, replace(ITEM, withdrawn=True))).final == 8.0
+    assert decided(row(), huber=(ITEM, GIVEN, Undo(1, AT, ("huber:2",)))) == row()
+
+
+def test_marks_stay_between_nothing_and_all_points() -> None:
+    assert decided(row(0.3), huber=(ITEM, GIVEN)).final == 0.0
+    assert added(decided(row(0.3), huber=(ITEM, GIVEN)))["as marks are written"] == Fraction(1, 5)
+    assert decided(row(), huber=(change("anna", delta="5"),)).final == 10.0
+
+
+def test_items_come_before_what_is_changed_by_hand() -> None:
+    found = decided(row(), huber=(ITEM, GIVEN), lang=(change("anna", delta="1"),))
+    assert found.final == 8.5
+    assert decided(row(), huber=(ITEM, GIVEN), lang=(change("anna", mark="7"),)).final == 7.0
+
+
+def test_a_conflict_counts_for_neither_and_makes_the_mark_unsafe() -> None:
+    files = {"huber": (change("anna", delta="1"),), "lang": (change("anna", delta="2"),)}
+    found = decided(row(), **files)
+    assert (found.final, reasons(found)) == (8.0, [Reason.CONFLICT])
+    settled = decided(row(), **files, boss=(Decide(1, AT, "lang:1", ("huber:1",), "agreed"),))
+    assert (settled.final, reasons(settled)) == (10.0, [])
+    apart = {"huber": (ITEM, GIVEN, replace(ITEM, points="-2", after=("huber:1",)))}
+    other = replace(ITEM, points="-1", after=("huber:1",))
+    found = decided(row(), **apart, lang=(other,))
+    assert (found.final, reasons(found)) == (8.0, [Reason.CONFLICT])
+
+
+def test_marks_of_two_graders_that_differ_are_settled_by_one_of_them() -> None:
+    files = {"huber": (Finish(1, AT, "anna", "9"),), "lang": (Finish(1, AT, "anna", "17/2"),)}
+    assert reasons(decided(row(), **files)) == [Reason.CONFLICT]
+    found = decided(row(), **files, boss=(Decide(1, AT, "lang:1", ("huber:1",), "agreed"),))
+    assert (found.final, reasons(found)) == (8.5, [])
+    assert found.change is not None
+    assert found.change.who == "Lang, decided by Boss"
+
+
+def test_the_file_and_graders_who_differ_are_a_conflict_too() -> None:
+    head = '[[change]]\nstudent = "anna"\nreason = "r"\nwho = "w"\ndate = "2026-11-30"\n'
+    seven, half = f"{head}mark = 7\n", f"{head}delta = 0.5\n"
+    found = decided(row(), seven, huber=(change("anna", mark="9"),))
+    assert (found.final, reasons(found)) == (8.0, [Reason.CONFLICT])
+    assert "`overrides.toml` (w): the mark 7" in found.unsafe[0].sentence
+    assert not decided(row(), seven, huber=(change("anna", mark="7"),)).unsafe
+    assert decided(row(), half, huber=(change("anna", delta="1"),)).final == 9.5
+    assert reasons(decided(row(), half, huber=(Excuse(1, AT, ("anna",), "ill"),))) == [
+        Reason.CONFLICT
+    ]
+
+
+def test_who_is_excused_has_no_mark_and_nothing_to_be_looked_at() -> None:
+    late = row(4.0, DUE + timedelta(hours=30))
+    doubtful = replace(late.result, review=("look",), lowest=3.0)
+    before = row_of(doubtful, late.student, late.handed_in, late.late)
+    found = decided(before, huber=(Excuse(1, AT, ("anna",), "ill"),))
+    assert (found.result.kind, found.final, found.unsafe) == (Kind.EXCUSED, None, ())
+    assert found.late is None
+    told = feedback_text(Returned(found, found.result)).decode()
+    assert "excused: ill (Huber)." in told
+    assert "point" not in told
+
+
+def test_a_later_deadline_changes_what_lateness_costs() -> None:
+    late = row(8.0, DUE + timedelta(hours=30))
+    assert late.final == 6.0
+    one_day = Extend(1, AT, ("anna",), (DUE + timedelta(days=1)).isoformat(), "ill")
+    assert decided(late, huber=(one_day,)).final == 7.0
+    week = replace(one_day, due=(DUE + timedelta(days=7)).isoformat())
+    found = decided(late, huber=(week,))
+    assert (found.final, found.late) == (8.0, None)
+    earlier = replace(one_day, due=(DUE - timedelta(days=7)).isoformat())
+    assert decided(late, huber=(earlier,)).final == 6.0  # no extension takes time away
+    assert decided(late, huber=(one_day,), lang=(week,)).final == 6.0
+    assert reasons(decided(row(8.0, None), huber=(week,))) == [Reason.LATE]
+
+
+def test_what_was_decided_about_another_program_does_not_count() -> None:
+    digest = program_of(row().result)
+    files = (
+        ITEM,
+        replace(GIVEN, programs={"anna": digest}),
+        replace(change("anna", delta="1"), programs={"anna": digest}),
+        Comment(1, AT, "anna", "why?", program=digest),
+    )
+    same = decided(row(), huber=files)
+    task = replace(plain_result(), task=replace(plain_result().task, sha256="c" * 64), mark=8.0)
+    mended = row_of(task, Student("Anna"), row().handed_in)  # by another task
+    assert (same.final, decided(mended, huber=files).final) == (8.5, 8.5)
+    other = row_of(
+        replace(row().result, program=Program("a.v2", OTHER, 1)), Student("Anna"), HandedIn()
+    )
+    found = decided(other, huber=files)
+    assert found.final == 8.0
+    assert set(reasons(found)) == {Reason.LAPSED}
+    assert found.decided is not None
+    assert not found.decided.comments
+    told = all_lapses([found], by_hand(huber=files))
+    assert [one.rule.code for one in told] == ["V774"] * 3
+
+
+def test_students_read_comments_with_their_places_and_never_private_ones() -> None:
+    files = (
+        Comment(1, AT, "anna", "Why so slow?\n<b>", 9, 3.2),
+        Comment(1, AT, "anna", "SECRET", private=True),
+    )
+    found = decided(row(), huber=files)
+    told = feedback_text(Returned(found, found.result)).decode()
+    assert "From your graders:\n  line 9, at 3.20 s: Why so slow? <b> (Huber)" in told
+    assert b"SECRET" not in class_to_bytes(Class("vrts.class/1", "Lab", (found,)))
