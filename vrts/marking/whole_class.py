@@ -53,6 +53,7 @@ class HowTo(NamedTuple):
     roster: Path | None = None  # the class, as Moodle or Canvas export it
     zone: tzinfo | None = None  # of times without one; None: that of the task's deadline
     pseudonyms: bool = False  # ids and files get other names; who is who stands in one table
+    variants_key: Path | None = None  # of a task with variants; None: that beside the task
     only: frozenset[str] | None = None  # ids of the intake; None: everybody, and its table too
 
 

@@ -43,6 +43,7 @@ def again(about: About, layout: Layout, jobs: int) -> Again:
         table=given.table,
         roster=given.roster,
         zone=zone,
+        variants_key=given.variants_key,
         pseudonyms=(layout.staff / KEY).is_file(),
     )
     task = Path(about.place.task)
@@ -60,6 +61,7 @@ def again(about: About, layout: Layout, jobs: int) -> Again:
 class _Given(NamedTuple):
     table: Path | None
     roster: Path | None
+    variants_key: Path | None
     zone: str
 
 
@@ -68,9 +70,10 @@ def _given(about: About) -> _Given:
     parser = ArgumentParser(add_help=False, allow_abbrev=False, exit_on_error=False)
     parser.add_argument("--intake", type=Path)
     parser.add_argument("--roster", type=Path)
+    parser.add_argument("--key", type=Path)
     parser.add_argument("--zone", default="")
     found, _ = parser.parse_known_args(list(about.command))
-    return _Given(found.intake, found.roster, found.zone)
+    return _Given(found.intake, found.roster, found.key, found.zone)
 
 
 def _zone(name: str) -> tzinfo | None:

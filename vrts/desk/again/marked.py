@@ -23,6 +23,7 @@ from vrts.marking.privacy.pseudonyms import read_names
 from vrts.marking.row import Class, Row, class_from_bytes
 from vrts.marking.similarity.files import compare_class
 from vrts.marking.submission.marker import Marker
+from vrts.marking.variants.of_class import MarkerOfClass, marker_for
 from vrts.marking.whole_class import Marked, mark_whole_class
 from vrts.pipeline.refused import Refused
 
@@ -57,7 +58,7 @@ def mark_again(
     if any(row.of_session for row in opened.rows.rows):
         remedy = "mark sessions with `vrts grade --session`, into the same folder"
         raise _cannot("these are sessions of the live server, which the desk does not mark", remedy)
-    marker = Marker(about.place, about.wanted)
+    marker = marker_for(about.place, about.wanted, asked.how.roster, asked.how.variants_key)
     if students is not None:
         _require_same_task(opened, marker, students)
         names = read_names(layout)
@@ -113,12 +114,21 @@ def _require_same_task(opened: Opened, marker: Marker, students: Sequence[str]) 
     Raises:
         Refused: They would be.
     """
-    settings = (marker.whole, *marker.whole.variants)
-    now = {setting.task.digest for setting in settings if setting.task is not None}
     asked = set(students)
-    if any(row.result.task.sha256 not in now for row in opened.rows.rows if row.id in asked):
+    if isinstance(marker, MarkerOfClass):  # each has an own task
+        rows = (row for row in opened.rows.rows if row.id in asked)
+        changed = any(not marker.is_as_before(row.result, opened.layout) for row in rows)
+    else:
+        changed = _has_changed(opened, marker, asked)
+    if changed:
         remedy = "mark all again, so that one task holds for everybody"
         raise _cannot("the task has changed since the class was marked", remedy)
+
+
+def _has_changed(opened: Opened, marker: Marker, asked: set[str]) -> bool:
+    settings = (marker.whole, *marker.whole.variants)
+    now = {setting.task.digest for setting in settings if setting.task is not None}
+    return any(row.result.task.sha256 not in now for row in opened.rows.rows if row.id in asked)
 
 
 def _cannot(headline: str, remedy: str) -> Refused:

@@ -10,6 +10,8 @@ from vrts.assignments.variants.of_task import VariedTask, load_varied
 from vrts.check.variants.drawn import Variant, drawn
 from vrts.marking.intake.row import Row
 from vrts.marking.intake.tables.roster import read_roster
+from vrts.marking.layout import Layout
+from vrts.marking.result import Result
 from vrts.marking.submission.marker import Marker
 from vrts.marking.submission.one import Wanted
 from vrts.marking.submission.setting import Place
@@ -63,6 +65,20 @@ class MarkerOfClass(VariantsMarker):
         for other in folder.glob("*.zip"):
             if other.stem not in self.variants:
                 other.unlink()
+
+    def is_as_before(self, result: Result, layout: Layout) -> bool:
+        """Return whether a result was made by a variant as it still is."""
+        tag = "" if result.variant is None else result.variant.tag
+        if not tag:
+            assert self.whole.task is not None
+            return result.task.sha256 == self.whole.task.digest
+        path = layout.variants / f"{tag}.zip"
+        variant = self.variants.get(tag)
+        return (
+            variant is not None
+            and path.is_file()
+            and path.read_bytes() == packed_variant(self.varied, variant)
+        )
 
     def renamed(self, names: Mapping[str, str]) -> None:
         """Take other identifiers for the students, by those of the intake."""

@@ -101,10 +101,9 @@ def test_each_is_marked_by_the_own_variant_and_a_copy_is_told(home: Home, marked
     copy = rows["4712"]
     assert copy.final is not None
     assert copy.final <= 5
-    assert doubts(copy) == [
-        f"variant: its places are those of the variant `{tags['4711']}`, of `Ada Byron`, "
-        + f"where it would earn 10; marked by the student's own, `{tags['4712']}`"
-    ]
+    its_own = f"marked by the student's own, `{tags['4712']}`"
+    of_ada = f"its places are those of the variant `{tags['4711']}`, of `Ada Byron`"
+    assert doubts(copy) == [f"variant: {of_ada}, where it would earn 10; {its_own}"]
     assert doubts(rows["9999"]) == [
         "variant: it is by nobody in the list of the class: marked by the task as it is written"
     ]

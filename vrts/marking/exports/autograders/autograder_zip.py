@@ -7,7 +7,7 @@ from pathlib import Path
 
 from vrts import __version__
 from vrts.assignments.pack import read_zip, staff_zip
-from vrts.assignments.packed import is_packed
+from vrts.assignments.packed import is_packed, load_zip
 from vrts.assignments.task_folder import read_folder
 from vrts.base.diagnostic import Rule, error
 from vrts.base.zips import packed
@@ -41,6 +41,13 @@ def autograder_zip(task: bytes, wheels: Mapping[str, bytes]) -> bytes:
     return packed(members, MODE)
 
 
+def _require_no_variants(path: Path) -> None:
+    task = (load_zip(path) if is_packed(path) else load_task(path)).task
+    if task is not None and task.variants is not None:
+        hint = "mark a download with `vrts grade` and `--roster`"
+        raise CannotRead("an autograder cannot tell whose variant a submission is by", (hint,))
+
+
 def staff_task(path: Path) -> bytes:
     """Return the zip for the staff of a task: a folder is packed, a zip is taken as it is.
 
@@ -50,6 +57,7 @@ def staff_task(path: Path) -> bytes:
     """
     if not path.exists():
         raise CannotRead(f"there is no task `{path}`")
+    _require_no_variants(path)
     if not is_packed(path):
         folder = path if path.is_dir() else path.parent
         return staff_zip(read_folder(folder), load_task(folder, staff=True).hidden)
