@@ -15,6 +15,7 @@ from vrts.base.toml.appended import Appended
 from vrts.base.toml.reading import Table, read_toml
 from vrts.check.task.task import Task
 from vrts.check.task.task_file import read_task
+from vrts.check.variants.model import Variants
 from vrts.scene.model import Scene
 
 STAFF_PART = Rule("V664", "staff-part")
@@ -81,7 +82,7 @@ def _task(task: Task, home: Appended) -> Task:
     changes: dict[str, Any] = {}
     for field in fields(task):
         value: Any = getattr(task, field.name)
-        if isinstance(value, tuple):
+        if isinstance(value, tuple) and not isinstance(value, Variants):  # which is never hidden
             items = cast("tuple[Any, ...]", value)
             changes[field.name] = tuple(_item(item, home) for item in items)
     if task.proof is not None:

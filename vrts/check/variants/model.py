@@ -10,6 +10,7 @@ from math import prod
 from typing import NamedTuple, TypeAlias
 
 from vrts.base.source import Span
+from vrts.check.variants.even import USUAL, Even
 
 Combination: TypeAlias = tuple[int, ...]  # a choice for each `Vary`, in their order
 
@@ -44,6 +45,7 @@ class Variants:
     without: tuple[Without, ...]
     staff_names: tuple[str, ...]  # locations of the scene that students have to teach
     span: Span
+    even: Even = USUAL  # how much harder one may be than another
 
     @property
     def total(self) -> int:

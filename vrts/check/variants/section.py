@@ -10,6 +10,7 @@ from typing import cast
 from vrts.base.diagnostic import Label, Rule
 from vrts.base.source import Span
 from vrts.base.toml.reading import Problems, Table
+from vrts.check.variants.even import read_even
 from vrts.check.variants.model import Variants, Vary, Without
 
 VALUES = Rule("V867", "variant-values")
@@ -39,6 +40,7 @@ def read_variants(top: Table, problems: Problems) -> Variants | None:
         headline = "`assignment` must be a short name: letters, digits, blanks, `-`, `_` and `.`"
         problems.error(VALUES, headline, section.value_span("assignment"))
     staff_names = section.names("staff_names", choices=None)
+    even = read_even(section)
     varies: dict[str, Vary] = {}
     tables = section.tables("vary", required=True)
     _few(section, "vary", len(tables), MOST_VARY, problems)
@@ -69,6 +71,7 @@ def read_variants(top: Table, problems: Problems) -> Variants | None:
         tuple(rule for rule in rules if rule is not None),
         tuple(name.lower() for name in staff_names),
         section.span,
+        even,
     )
     return found if _usable(found, problems) else None
 

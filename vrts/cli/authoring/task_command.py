@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from vrts.cli.authoring.fair_check import HowTo, check_variants
 from vrts.cli.authoring.variants_command import command as variants
 from vrts.cli.shared.console import (
     HOLDS,
@@ -17,7 +18,8 @@ from vrts.cli.shared.console import (
     show_diagnostics,
     write_file,
 )
-from vrts.cli.shared.options import color_option, file_option, lab_option
+from vrts.cli.shared.cores import one_thread_each
+from vrts.cli.shared.options import color_option, file_option, jobs_option, lab_option
 
 if TYPE_CHECKING:
     from vrts.assignments.task_check import TaskCheck
@@ -29,6 +31,7 @@ Examples:
   vrts task check lab1
   vrts task check lab1 --lab lab.toml
   vrts task check lab1 --write
+  vrts task check lab1 --roster grades.csv
   vrts task pack lab1 -o handout
 """
 
@@ -48,20 +51,40 @@ def command() -> None:
 )
 @lab_option
 @click.option("--write", is_flag=True, help="Write the part of README.md that follows the task.")
+@file_option("--roster", help="Of a task with variants: the class, as Moodle or Canvas export it.")
+@file_option("--key", help="The key that decides; without it variants.key beside the task.")
+@jobs_option("Variants that are tried at a time; without it, one for each core.")
 @color_option
 @guarded
-def check(folder: Path, reference: Path | None, lab: Path | None, write: bool, color: str) -> None:
+def check(
+    folder: Path,
+    reference: Path | None,
+    lab: Path | None,
+    write: bool,
+    roster: Path | None,
+    key: Path | None,
+    jobs: int | None,
+    color: str,
+) -> None:
     """Say whether the task in FOLDER, with its hidden part, is ready to be handed out.
 
     The reference must get the full mark, a program that does nothing must get 0, and every goal
     must be within reach. It proposes times, and lists what everything is worth. It warns where
     README.md does not say what the task says. With a lab, it says whether the task would work
     there. Exit status 1 when something is wrong.
+
+    A task with `[variants]` is tried in a set of variants in which every value and every pair of
+    values is, and with a roster in those of all students: each must be as the task has to be, and
+    as hard as the others. What falls out is named. It says how often the solution of another
+    student would earn more than half.
     """
+    one_thread_each()
     from vrts.assignments.task_check import check_task
     from vrts.assignments.task_folder import reference_of
 
     setting = _setting(folder, lab)
+    if roster is not None and (setting.task is None or setting.task.variants is None):
+        fail("`--roster` is for a task with variants", ("add `[variants]` to its task.toml",))
     if write:
         _write_readme(_folder(folder))
     found = check_task(setting, reference or reference_of(_folder(folder)))
@@ -69,7 +92,16 @@ def check(folder: Path, reference: Path | None, lab: Path | None, write: bool, c
     found = found._replace(findings=(*found.findings, *told))
     show_diagnostics(found.findings, color)
     out(_text(setting, found))
-    sys.exit(HOLDS if found.ready else WRONG)
+    ready = found.ready
+    if setting.task is not None and setting.task.variants is not None:
+        if lab is not None:
+            say("note: variants are tried where the task is set, without `--lab`")
+        elif ready:
+            how = HowTo(reference, roster, key, jobs, color)
+            ready = check_variants(_folder(folder), how)
+        else:
+            say("note: variants are tried once the task itself is ready")
+    sys.exit(HOLDS if ready else WRONG)
 
 
 @command.command(name="pack", epilog=EPILOG)

@@ -1,0 +1,70 @@
+"""What `vrts task check` says of a task with variants."""
+
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+from vrts.cli.shared.console import out, say, show_diagnostics
+from vrts.cli.shared.cores import workers_of
+
+if TYPE_CHECKING:
+    from vrts.assignments.variants.of_task import VariedTask
+    from vrts.check.variants.model import Combination
+
+
+class HowTo(NamedTuple):
+    """How the variants of a task are checked."""
+
+    reference: Path | None  # the solution; None: that of the folder
+    roster: Path | None  # the class; None: only a covering set is tried
+    key: Path | None  # by which variants are drawn; None: that beside the task
+    jobs: int | None  # variants that are tried at a time; None: one a core
+    color: str
+
+
+def check_variants(folder: Path, how: HowTo) -> bool:
+    """Try the variants of a task, say what was found, and return whether all can be handed out.
+
+    Raises:
+        CannotRead: A file is not there.
+        Refused: The list, the key or a path of `[variants]` is wrong.
+    """
+    from vrts.assignments.fair.fairness import fairness
+    from vrts.assignments.fair.in_words import fair_findings, fair_lines
+    from vrts.assignments.variants.of_task import load_varied
+    from vrts.pipeline.files import read_bytes
+    from vrts.report.plain import plain_text
+
+    varied = load_varied(folder)
+    if how.reference is not None:
+        varied = replace(varied, solution=read_bytes(how.reference))
+    students = {} if how.roster is None else _students(varied, folder, how.roster, how.key)
+    found = fairness(varied, students, workers_of(how.jobs))
+    out("")
+    show_diagnostics(fair_findings(varied.variants, found), how.color)
+    out(plain_text("\n".join(fair_lines(varied.variants, found))))
+    return found.fair
+
+
+def _students(
+    varied: "VariedTask", folder: Path, roster: Path, key: Path | None
+) -> "dict[str, Combination]":
+    """Return which variant each student of a class has, by a name that tells who it is."""
+    from vrts.assignments.variants.key import key_made, place_of_key
+    from vrts.check.variants.drawn import drawn
+    from vrts.marking.intake.tables.roster import read_roster
+    from vrts.marking.variants.class_list import class_list
+    from vrts.pipeline.files import read_bytes
+
+    members = class_list(read_roster(read_bytes(roster), roster.name, None), roster.name).members
+    place = key or place_of_key(folder)
+    secret, made = key_made(place)
+    if made:
+        say(f"made the key {place}: keep a copy, and give it to no student")
+    found: dict[str, Combination] = {}
+    for member in members:
+        name = member.student.name or member.number
+        if name in found:
+            name = f"{name} ({member.number})"
+        found[name] = drawn(varied.variants, secret, member.drawn_by).combination
+    return found
