@@ -48,7 +48,7 @@ REMEDIES = {
     Reason.UNREAD: "make the file readable, or download it again, and mark again",
     Reason.CONFLICT: "`vrts grade decisions OUT` says who differs: decide with `--keep NAME`, or"
     " take one back with `--undo NAME`",
-    Reason.LAPSED: "look at the program that is marked now, decide anew, and take back what was"
+    Reason.LAPSED: "look at the program that is marked now, decide again, and take back what was"
     " decided before with `vrts grade decisions OUT --undo NAME`",
     Reason.VARIANT: "look whose program it is, and decide; `variants.csv` of `vrts task variants`"
     " tells who has which",

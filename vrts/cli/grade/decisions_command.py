@@ -58,7 +58,7 @@ def command(
     decisions themselves, which --undo takes back. Nothing is deleted.
 
     A decision about a program does not count for another one. It is listed, and the mark is unsafe
-    until it is taken back and decided anew. Exit status 1 while there are conflicts.
+    until it is taken back and decided again. Exit status 1 while there are conflicts.
     """
     from vrts.marking.by_hand.by_hand import programs_of
     from vrts.marking.by_hand.decisions.listing import listing

@@ -27,7 +27,7 @@ def command(out: Path, others: tuple[Path, ...], color: str) -> None:
     OUT is the folder that `vrts grade` wrote with -o. It keeps what is compared in
     staff/similarity/programs.zip. Each --corpus is another such folder, that zip of one, or a
     folder or zip of programs; what their runs did is known only of markings. Groups, pairs and
-    pages in OUT/staff are written anew. No mark changes.
+    pages in OUT/staff are written again. No mark changes.
     """
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before numpy: threads do not fork
     from vrts.marking.layout import Layout

@@ -102,7 +102,7 @@ def _numbers(kind: str, key: tuple[object, ...]) -> str:
 
 
 def _text(_kind: str, _key: tuple[object, ...]) -> str:
-    return "the same steps, word for word but for names and numbers"
+    return "the same steps, word for word, except names and numbers"
 
 
 def _habits(kind: str, key: tuple[object, ...]) -> str:
