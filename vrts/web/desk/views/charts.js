@@ -4,7 +4,13 @@ import { make } from "../../live/dom.js";
 
 /** @typedef {import("../types.js").Bin} Bin */
 
-const [WIDTH, HEIGHT, BELOW] = [640, 150, 18];
+const [HEIGHT, BELOW] = [150, 18];
+const LABELLED = 12; // bins at most of which each has its number below
+
+/** Return how wide a large figure is [px]: drawn as large as it is shown, so that its letters can be read on a phone. */
+function wide() {
+  return Math.min(640, Math.max(document.documentElement.clientWidth - 72, 240));
+}
 
 /** @param {string} tag @param {Record<string, string | number>} attributes @param {string} text @returns {SVGElement} */
 function svg(tag, attributes, text = "") {
@@ -24,7 +30,7 @@ function plain(value) {
  * @param {Bin[]} bins @param {string} title @param {{small?: boolean}} options
  */
 export function histogram(bins, title, { small = false } = {}) {
-  const [width, height] = small ? [200, 56] : [WIDTH, HEIGHT];
+  const [width, height] = small ? [200, 56] : [wide(), HEIGHT];
   const most = Math.max(1, ...bins.map((bin) => bin.count));
   const told = bins.filter((bin) => bin.count).map((bin) => `${range(bin)}: ${bin.count}`).join("; ");
   const picture = svg("svg", { viewBox: `0 0 ${width} ${height + BELOW}`, class: small ? "histogram small" : "histogram", role: "img", "aria-label": `${title}. ${told || "nothing"}` });
@@ -39,6 +45,7 @@ export function histogram(bins, title, { small = false } = {}) {
   picture.append(svg("line", { x1: 0, x2: width, y1: height + 0.5, y2: height + 0.5, class: "floor" }));
   if (bins.length) {
     picture.append(svg("text", { x: 0, y: height + 14 }, plain(bins[0].from)));
+    if (!small && bins.length <= LABELLED) bins.slice(1).forEach((bin, k) => picture.append(svg("text", { x: (k + 1) * step, y: height + 14, "text-anchor": "middle" }, plain(bin.from))));
     picture.append(svg("text", { x: width, y: height + 14, "text-anchor": "end" }, plain(bins[bins.length - 1].to)));
   }
   return picture;
@@ -55,10 +62,11 @@ function range(bin) {
  */
 export function progress(rows, total) {
   const known = rows.filter((row) => row.mean !== null);
-  const picture = svg("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT + BELOW}`, class: "histogram", role: "img", "aria-label": `Mean by attempt. ${known.map((row) => `${row.number}: ${plain(row.mean ?? 0)}`).join("; ")}` });
-  const x = (/** @type {number} */ k) => (known.length < 2 ? WIDTH / 2 : 14 + (k * (WIDTH - 28)) / (known.length - 1));
+  const width = wide();
+  const picture = svg("svg", { viewBox: `0 0 ${width} ${HEIGHT + BELOW}`, class: "histogram", role: "img", "aria-label": `Mean by attempt. ${known.map((row) => `${row.number}: ${plain(row.mean ?? 0)}`).join("; ")}` });
+  const x = (/** @type {number} */ k) => (known.length < 2 ? width / 2 : 14 + (k * (width - 28)) / (known.length - 1));
   const y = (/** @type {number} */ mean) => HEIGHT - (mean / Math.max(total, 1)) * (HEIGHT - 18);
-  picture.append(svg("line", { x1: 0, x2: WIDTH, y1: HEIGHT + 0.5, y2: HEIGHT + 0.5, class: "floor" }));
+  picture.append(svg("line", { x1: 0, x2: width, y1: HEIGHT + 0.5, y2: HEIGHT + 0.5, class: "floor" }));
   picture.append(svg("polyline", { points: known.map((row, k) => `${x(k)},${y(row.mean ?? 0)}`).join(" "), class: "curve" }));
   known.forEach((row, k) => {
     picture.append(svg("circle", { cx: x(k), cy: y(row.mean ?? 0), r: 4, class: "bar" }));

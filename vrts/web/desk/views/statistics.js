@@ -58,7 +58,7 @@ export class StatisticsView {
       make("div", { class: "check-cards" }, ...data.checks.map((check) => make("article", { class: "check-card" },
         make("h3", {}, ...prose(check.title || check.id)),
         histogram(check.histogram, check.title || check.id, { small: true }),
-        make("p", { class: "soft" }, `mean ${check.mean === null ? "–" : String(Math.round(check.mean * 100) / 100).replace("-", "−")} of ${check.most}; all points ${check.full}, none ${check.none}`),
+        make("p", { class: "soft" }, `mean ${check.mean === null ? "–" : String(Math.round(check.mean * 100) / 100).replace("-", "−")}${check.most ? ` of ${check.most}` : ", it can only cost"}; all points ${check.full}, none ${check.none}`),
         make("p", { class: check.discrimination !== null && check.discrimination < 0.1 ? "weak" : "" }, "discrimination ", make("b", { text: check.discrimination === null ? "–" : check.discrimination.toFixed(2).replace("-", "−") }))))));
   }
 

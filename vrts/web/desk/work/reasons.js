@@ -7,6 +7,8 @@ import { tabs } from "./tabs.js";
 
 /** @typedef {import("../desk.js").Desk} Desk */
 
+const ALIKE = "/files/staff/similarity.html";
+
 /** The reasons. */
 export class Reasons {
   /** @param {Desk} desk @param {import("../frame.js").Replay} replay @param {import("./source.js").Source} source @param {(cause: string) => void} bulk */
@@ -31,7 +33,7 @@ export class Reasons {
       one.scrollTop = 0;
     }
     if (!detail) return;
-    this.lost.append(...this.doubts(detail), ...this.losses(detail), ...steps(detail), ...attempts(detail));
+    this.lost.append(...this.doubts(detail), ...this.losses(detail), ...steps(detail), ...this.alike(detail), ...attempts(detail));
     this.checks.append(...checks(detail), ...findings(detail, (line, time_s) => this.jump(line, time_s)));
     this.history.append(...this.past(detail));
   }
@@ -62,6 +64,16 @@ export class Reasons {
       make("div", {}, make("p", {}, ...prose(loss.sentence)), ...(loss.hint ? [make("p", { class: "soft" }, ...prose(loss.hint))] : []), where));
   }
 
+  /** @param {import("../types.js").Detail} detail */
+  alike(detail) {
+    const like = detail.row.likeness;
+    if (!like) return [];
+    const others = like.with.map((id) => button(this.desk.rows.get(id)?.name ?? id, () => void this.desk.choose(id), { class: "jump" }));
+    return [make("h3", { text: `Alike (${like.strength})` }),
+      make("p", { class: "soft", text: "Look and decide: likeness never changes a mark." }),
+      make("p", { class: "jumps" }, ...others, make("a", { class: "jump", href: ALIKE, target: "_blank", rel: "noopener", text: "compare" }))];
+  }
+
   /** Show a line, and the moment when it mattered. @param {number} line @param {number | null | undefined} time_s */
   jump(line, time_s) {
     this.source.reveal(line);
@@ -84,7 +96,9 @@ export class Reasons {
       const entry = make("li", { class: one.undone_by ? "undone" : "" },
         make("p", {}, ...prose(one.sentence)),
         make("p", { class: "soft", text: `${one.name || one.who}, ${when(one.at)}${one.students > 1 ? `, for ${counted(one.students, "student")}` : ""}${one.undone_by ? `, undone by ${one.undone_by.split(":")[0]}` : ""}` }));
-      if (!one.undone_by) entry.append(button("Undo", () => void this.undo(one), { class: "jump", "aria-label": `Undo: ${one.sentence}` }));
+      const by = one.undone_by;
+      if (by) entry.append(button("Restore", () => void this.desk.undo([by], `undoing of ${one.sentence}`), { class: "jump", "aria-label": `Restore: ${one.sentence}` }));
+      else entry.append(button("Undo", () => void this.undo(one), { class: "jump", "aria-label": `Undo: ${one.sentence}` }));
       return entry;
     }))];
   }
