@@ -266,7 +266,7 @@ export class Desk {
   async markAgain(students) {
     try {
       await post("/api/mark", { students });
-      this.notes.done(students === "all" ? "All programs are marked again." : `${counted(students.length, "program")} marked again soon.`);
+      this.notes.done(`Marking ${students === "all" ? "all programs" : counted(students.length, "program")} again …`);
     } catch (problem) {
       this.failed(problem, () => void this.markAgain(students));
     }

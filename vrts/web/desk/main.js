@@ -120,6 +120,7 @@ function showMarking() {
     if (!bar.parentElement) place.replaceChildren(bar, make("span", { class: "soft" }), button("Stop", () => void desk.stopMarking(), { title: "Stop marking: what has been marked stays" }));
     write(/** @type {Element} */ (place.children[1]), `${marking.done} of ${marking.all} marked`);
   } else {
+    if (place.firstChild && !marking?.problem) desk.notes.done(`Marked again: ${marking?.done ?? 0} of ${marking?.all ?? 0}.`);
     place.replaceChildren();
     if (marking?.problem && marking.problem !== showMarking.told) desk.notes.problem(`Marking again did not work: ${marking.problem}`);
     showMarking.told = marking?.problem ?? "";

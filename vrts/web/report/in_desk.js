@@ -8,8 +8,9 @@
  */
 export function obeyDesk(acts) {
   const around = window.parent;
-  if (around === window || !new URLSearchParams(location.hash.slice(1)).has("framed")) return () => {};
-  document.documentElement.classList.add("framed");
+  const asked = new URLSearchParams(location.hash.slice(1)).get("framed");
+  if (around === window || asked === null) return () => {};
+  document.documentElement.classList.add("framed", ...(asked === "picture" ? ["picture"] : [])); // without what steers
   window.addEventListener("message", (event) => {
     if (event.source !== around || event.data?.vrts !== "show") return;
     const { time_s, line } = event.data;

@@ -3,11 +3,12 @@
 import { button, byId, figure, make, prose } from "../../live/dom.js";
 import { counted, lost, mark, moment, points, when } from "../words.js";
 import { ask } from "../ask.js";
+import { compare } from "../views/compare.js";
 import { tabs } from "./tabs.js";
 
 /** @typedef {import("../desk.js").Desk} Desk */
 
-const ALIKE = "/files/staff/similarity.html";
+const MOST_ALIKE = 12; // programs that are named
 
 /** The reasons. */
 export class Reasons {
@@ -68,10 +69,13 @@ export class Reasons {
   alike(detail) {
     const like = detail.row.likeness;
     if (!like) return [];
-    const others = like.with.map((id) => button(this.desk.rows.get(id)?.name ?? id, () => void this.desk.choose(id), { class: "jump" }));
     return [make("h3", { text: `Alike (${like.strength})` }),
       make("p", { class: "soft", text: "Look and decide: likeness never changes a mark." }),
-      make("p", { class: "jumps" }, ...others, make("a", { class: "jump", href: ALIKE, target: "_blank", rel: "noopener", text: "compare" }))];
+      make("ul", { class: "past" }, ...like.with.slice(0, MOST_ALIKE).map((id) => {
+        const name = this.desk.rows.get(id)?.name ?? id;
+        return make("li", {}, make("p", {}, button(name, () => void this.desk.choose(id), { class: "as-link" })),
+          button("Compare", () => void compare(this.desk, detail.row.id, id), { class: "jump", "aria-label": `Compare with ${name}` }));
+      })), ...(like.with.length > MOST_ALIKE ? [make("p", { class: "soft", text: `and ${like.with.length - MOST_ALIKE} more` })] : [])];
   }
 
   /** Show a line, and the moment when it mattered. @param {number} line @param {number | null | undefined} time_s */

@@ -21,7 +21,7 @@ export class Rubric {
     this.about = make("p", { class: "soft about" });
     /** The item that is changed; null: a new one. @type {Item | null} */
     this.changed = null;
-    this.outdated = false;
+    this.sending = false;
     this.title = make("input", { "aria-label": "Title of the item", placeholder: "New item, such as: grip not checked", maxlength: 300, id: "item-title" });
     this.points = make("input", { "aria-label": "Points: negative takes off", placeholder: "−0.5", inputmode: "text", maxlength: 8, class: "short" });
     this.save = make("button", { text: "Add and give" });
@@ -36,11 +36,7 @@ export class Rubric {
 
   fill() {
     const row = this.desk.row;
-    if (this.outdated && this.changed) {
-      const { id } = this.changed;
-      this.changed = this.desk.items.find((item) => item.id === id) ?? null;
-      this.outdated = false;
-    }
+    this.keepUp();
     const had = this.list.contains(document.activeElement) ? document.activeElement?.getAttribute("data-key") : null;
     this.list.replaceChildren(...this.desk.items.map((item, k) => {
       const has = row?.items.includes(item.id) ?? false;
@@ -54,6 +50,15 @@ export class Rubric {
     }));
     if (had) [...this.list.querySelectorAll("button")].find((one) => one.dataset.key === had)?.focus({ preventScroll: true });
     this.where();
+  }
+
+  /** Somebody else changed the item that is being changed here: say so, and go on from what it is now. */
+  keepUp() {
+    const { changed } = this;
+    const now = this.desk.data?.items.find((item) => item.id === changed?.id);
+    if (this.sending || !changed || !now || now.version === changed.version) return;
+    this.changed = now;
+    this.desk.notes.problem(`Meanwhile “${changed.title}” was changed to: ${now.title}, ${points(now.points)}${now.withdrawn ? ", withdrawn" : ""}.`, ["What you typed is kept, and would take its place."]);
   }
 
   /** Say where a given item would stand. */
@@ -125,8 +130,11 @@ export class Rubric {
     const made = { id: said.id, title, points: value, version: "", students: [], withdrawn: false };
     const records = !item && row ? [said, ...gives(made, [row.id], { line: this.desk.line })] : [said];
     const words = item ? `${withdrawn ? "Withdrew" : "Changed"} “${title}” for ${counted(item.students.length, "student")}` : `Added “${title}”${row ? ` and gave it to ${row.name}` : ""}`;
-    if (await this.desk.act(records, words)) this.edit(null);
-    else this.outdated = true; // what was typed stays, and goes on from the item as it is then
+    this.sending = true;
+    const done = await this.desk.act(records, words);
+    this.sending = false;
+    if (done) this.edit(null);
+    else this.keepUp(); // what was typed stays, and goes on from the item as it is now
   }
 }
 
