@@ -33,9 +33,13 @@ DOORS = {  # imports within functions below `cli`, each with its reason beside i
     ("vrts.validate.camera.compare", "vrts.report.recording.through_camera"),
     ("vrts.validate.log.log_formats", "vrts.validate.log.bags.joint_states"),
     ("vrts.validate.log.log_formats", "vrts.validate.log.matlab"),
+    ("vrts.pipeline.pieces.qhull", "scipy.spatial"),
     # numpy, which most runs of programs do without: a third of the time that they take
     ("vrts.engine.hand.hand", "vrts.engine.hand.settle"),
     ("vrts.robots.urdf.serial_robot", "vrts.robots.urdf.hulls"),
+    ("vrts.scene.handling.holds", "vrts.scene.handling.mesh_grips"),
+    ("vrts.scene.handling.places", "vrts.scene.handling.mesh_grips"),
+    ("vrts.scene.reading.form_section", "vrts.scene.reading.mesh_section"),
 }
 RUNS_TEXT = {"eval", "exec", "compile", "__import__"}
 FOLDERS = sorted({path.parent for path in MODULES} - {PACKAGE})

@@ -61,6 +61,13 @@ height_mm = 115
 # size_mm = [280, 280]         # of the plate: along its slope, and across
 # height_mm = 120              # of the middle of the plate above the table
 # slope_deg = 20
+#
+# [objects.bracket]
+# kind = "mesh"                # a part from CAD: see the manual, "Put a part from CAD into a scene"
+# file = "bracket.stl"         # in this folder; then: vrts scene check NAME --write
+# unit = "mm"
+# at_mm = [850, 550]
+# on = "table"
 
 # vrts works out a location for every can (can1_grip), every base (base1_put), and a safe place
 # above everything. You may give others here, X Y Z in mm and O A T in degrees:

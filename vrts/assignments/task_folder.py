@@ -25,8 +25,10 @@ from vrts.pipeline.files import (
     named_place,
     read_toml_source,
 )
+from vrts.pipeline.pieces.named import pieces_files
 from vrts.pipeline.refused import Refused
 from vrts.pipeline.settings import load_task
+from vrts.scene.reading.files import PIECES
 
 PUBLIC = (TASK_FILE, SCENARIO_FILE, README, "start.v2")  # names in the folder itself
 PUBLIC_FOLDERS = ("pictures", "handout")
@@ -135,13 +137,21 @@ def _add_environment(
 
 
 def with_shapes(place: Path, name: str, public: dict[str, bytes]) -> None:
-    """Add a file, and the descriptions of robots and meshes beside it."""
+    """Add a file, the descriptions of robots and meshes beside it, and pieces that it names.
+
+    A mesh that is too large is left out: of parts in a scene, runs need the pieces alone.
+    """
     public[name] = _bytes(place)
     beside = str(PurePosixPath(name).parent)
     for other in sorted(place.parent.iterdir()):
-        if other.suffix.lower() in (".urdf", ".stl", ".obj", ".dae") and other.is_file():
+        if other.suffix.lower() not in (".urdf", ".stl", ".obj", ".dae") or not other.is_file():
+            continue
+        pieces = other.with_name(other.name + PIECES)
+        if not (pieces.is_file() and other.stat().st_size > LARGEST):
             inside = other.name if beside == "." else f"{beside}/{other.name}"
             public[inside] = _bytes(other)
+    for other, data in pieces_files(read_toml_source(place), place.parent).items():
+        public[other if beside == "." else f"{beside}/{other}"] = data
 
 
 def _inside(folder: Path, part: str) -> Iterator[tuple[str, bytes]]:

@@ -44,6 +44,7 @@ class Body:
     rests_on: str | None = None  # name of the support at the start; None for fixed bodies
     span: Span | None = None  # of its name in the file
     paint: tuple[Color, ...] = ()  # of each piece; empty: all are of `color`
+    grips: tuple[Pose, ...] = ()  # X_OP of the pads, where the file says how it is held
 
     @property
     def painted(self) -> tuple[tuple[Piece, Color], ...]:

@@ -11,12 +11,14 @@ from vrts.robots.model import Robot
 from vrts.scene.clearance import clearance, overlap_is_within, placed_body, placed_robot
 from vrts.scene.model import Body, Mobility
 from vrts.scene.outline import Polygon, contains, hull, plan
+from vrts.scene.outline import corners as hull_corners
 
 OVERLAP = Rule("V613", "objects-overlap")
 UNSUPPORTED = Rule("V614", "not-supported")
 
 DEEPEST = 0.2e-3  # [m] overlap that counts as touching, as for contact events
 TOUCHING = 1e-3  # [m] gap between an underside and what it stands on
+LEVEL = 0.05e-3  # [m] corners of a mesh this near to the lowest one are its underside
 
 
 class Support(NamedTuple):
@@ -105,6 +107,25 @@ def check_support(body: Body, support: Support, problems: Problems) -> None:
         body.span,
         text,
         help=('write on = "NAME" of what it stands on, and an `at_mm` above it',),
+        data={"body": body.name},
+    )
+
+
+def check_footing(body: Body, problems: Problems) -> None:
+    """Report a mesh whose middle is not above the corners that it stands on."""
+    if body.kind != "mesh":
+        return
+    lowest = bounds(body.pieces, body.X_WO).lower[2]
+    corners = (body.X_WO.apply(c) for piece in body.pieces for c in hull_corners(piece))
+    foot = hull((x, y) for x, y, z in corners if z <= lowest + LEVEL)
+    x, y, _ = body.X_WO.apply(body.centre_of_mass)
+    if contains(foot, (x, y)):
+        return
+    problems.error(
+        UNSUPPORTED,
+        f"`{body.name}` would topple: its middle is not above its own underside",
+        body.span,
+        help=("choose another `up`, or write fixed = true",),
         data={"body": body.name},
     )
 

@@ -231,7 +231,14 @@ def _tried(setting: "Setting") -> "Scene":
 def scene_files(name: Path, origin: str | None) -> dict[str, bytes]:
     """Return the files of a new scene: a simple one, or a copy."""
     from vrts.assignments.new_scene import new_scene
-    from vrts.pipeline.files import SCENE_FILE, asked_scene, member_bytes, read_bytes
+    from vrts.pipeline.files import (
+        SCENE_FILE,
+        asked_scene,
+        member_bytes,
+        read_bytes,
+        read_toml_source,
+    )
+    from vrts.pipeline.pieces.named import pieces_files
 
     if origin is None:
         return {SCENE_FILE: new_scene(name.resolve().name, _words(name)).encode()}
@@ -240,7 +247,7 @@ def scene_files(name: Path, origin: str | None) -> dict[str, bytes]:
     for path in sorted(place.parent.iterdir()):
         if path.suffix.lower() in (".urdf", ".stl", ".obj", ".dae"):
             found[path.name] = member_bytes(path)
-    return found
+    return found | dict(pieces_files(read_toml_source(place), place.parent))
 
 
 def _scene_of(origin: str) -> str:

@@ -32,6 +32,7 @@ Examples:
   vrts scene show cans-on-bases --svg map.svg
   vrts scene check lab1
   vrts scene check lab1 --lab lab.toml
+  vrts scene check lab1 --write --png pieces.png
   vrts scene watch lab1 --svg map.svg
 """
 
@@ -75,27 +76,69 @@ def show(name: str, svg: Path | None, lab: Path | None, color: str) -> None:
 
 @command.command(name="check", epilog=EPILOG)
 @click.argument("name")
+@click.option("--write", is_flag=True, help="First make the convex pieces of meshes (vrts[mesh]).")
+@click.option(
+    "--closeness",
+    type=click.FloatRange(0.01, 1.0),
+    help="With --write: how hollow a piece may be; smaller gives more and nearer pieces.",
+)
+@click.option("--most", type=click.IntRange(1, 64), help="With --write: pieces of a mesh at most.")
+@file_option("--png", help="Write a picture of the meshes, each piece in a colour of its own.")
 @lab_option
 @color_option
 @guarded
-def check(name: str, lab: Path | None, color: str) -> None:
+def check(
+    name: str,
+    write: bool,
+    closeness: float | None,
+    most: int | None,
+    png: Path | None,
+    lab: Path | None,
+    color: str,
+) -> None:
     """Look for mistakes in scene NAME, or in the folder of a task.
 
     It finds overlaps, floating objects, objects too wide for the hand, objects and locations out of
     reach on every arm branch, and locations inside bodies. In a task it also finds goals out of
     reach, in the air or inside bodies, and via points out of reach. Exit status 1 when there is an
     error; warnings do not count.
+
+    Objects of kind "mesh" stand in the scene as convex pieces. --write makes the pieces and writes
+    them beside the mesh; every check proves again that they hold the whole mesh, and tells by how
+    much they stand out of it.
     """
     from vrts.check.task.feasible import task_findings
+    from vrts.cli.authoring.mesh_pieces import drawn_pieces, told_pieces, write_pieces
+    from vrts.pipeline.files import read_toml_source
+    from vrts.pipeline.pieces.in_scene import Asked
     from vrts.report.plain import one_line
     from vrts.scene.checks import scene_findings, without_repeats
 
+    if not write and (closeness is not None or most is not None):
+        raise click.UsageError("--closeness and --most are for --write")
+    place = _scene_file(name)
+    if write and place is None:
+        raise click.UsageError("--write needs a scene in a folder, not one from standard input")
+    if write and place is not None:
+        refused = write_pieces(place, Asked(closeness, most))
+        if refused:
+            show_diagnostics(refused, color)
+            sys.exit(WRONG)
     setting = _setting(name, lab)
     scene, task = setting.scene, setting.task
     found = list(without_repeats(setting.diagnostics, scene_findings(scene)))
     if task is not None:
         found += task_findings(scene, task)
+    told: list[str] = []
+    if any(body.kind == "mesh" for body in scene.bodies) and place is not None:
+        told, wrong = told_pieces(read_toml_source(place), place.parent)
+        found += wrong
     show_diagnostics(found, color)
+    for line in told:
+        out(line)
+    if png is not None:
+        write_file(png, drawn_pieces(scene))
+        say(f"wrote {png}")
     counts = [("object", len(scene.bodies) - 1), ("location", len(scene.locations))]
     counts += [("goal", len(task.goals))] if task is not None else []
     what = ", ".join(f"{n} {word}{'' if n == 1 else 's'}" for word, n in counts)
@@ -123,6 +166,21 @@ def _setting(name: str, lab: Path | None, *, staff: bool = True) -> "Setting":
     if (path / TASK_FILE).is_file() or (path.name == TASK_FILE and path.is_file()):
         return load_task(path, staff=staff, lab=lab)
     return load_scene(name, lab=lab)
+
+
+def _scene_file(name: str) -> Path | None:
+    """Return the file of a scene, or of the scene of a task in a folder; None: standard input."""
+    from vrts.base.toml.reading import read_toml
+    from vrts.pipeline.files import STDIN, TASK_FILE, asked_scene, find_scene, read_toml_source
+
+    path = Path(name)
+    task = path / TASK_FILE if path.is_dir() else path
+    if task.name == TASK_FILE and task.is_file():
+        top, _ = read_toml(read_toml_source(task))
+        named = None if top is None else top.string("scene")
+        return None if named is None else find_scene(named, task.parent)
+    found = asked_scene(name)
+    return None if str(found) == STDIN else found
 
 
 def _in_its_task(setting: "Setting", place: Path, lab: Path | None) -> "Setting":

@@ -30,14 +30,20 @@ from vrts.geometry.hull import faces
 from vrts.geometry.proving.scalar import nearest
 from vrts.geometry.shapes import Box, Cylinder, Hull, Piece, Shape
 from vrts.geometry.support import Bounds, bounds, span
+from vrts.scene.outline import hull
 
 TOUCHING = 1e-5  # [m] nearer than this is contact
 LEAST_STEP = 1e-6  # [m] of the descent
 SIDE_NORMAL = math.sin(math.radians(10.0))  # a flatter contact does not carry
 ALIGNS_WITHIN = math.radians(10.0)  # between contact face and support plane
+FLUSH = math.cos(math.radians(0.5))  # faces turned less to each other look the same way
+LEVEL = 5e-5  # [m] from one plane: faces nearer than this lie in it
 FRICTION = 0.5  # coefficient µ of an inclined support [assumed]
 CORNERS = 48  # of a round face
 STEPS = 20_000  # of the descent
+
+
+Point = tuple[float, float]
 
 
 class Face(NamedTuple):
@@ -63,7 +69,7 @@ def settle(
     X_rest = _aligned(X_touch, bottom, top)
     bottom = _face_along(mine, X_rest, scale(Z_AXIS, -1.0))
     assert bottom is not None
-    polygon = _clipped(_flat(bottom), _flat(top))
+    polygon = _common(pieces, X_rest, standing, bottom, top)
     mass = X_rest.apply(centre_of_mass)
     stands = _inside(polygon, (mass[0], mass[1]))
     return Rest(height, standing.name, X_rest if stands else X_touch, stands)
@@ -146,6 +152,35 @@ def _carries(bottom: Face, top: Face) -> bool:
     return -dot(bottom.normal, top.normal) >= math.cos(ALIGNS_WITHIN)
 
 
+def _common(
+    pieces: Sequence[Piece], X_WO: Pose, standing: Standing, bottom: Face, top: Face
+) -> list[Point]:
+    """Return the support polygon: of two faces, or the hull of all that meet in one plane.
+
+    A mesh stands on several pieces, or on several faces of one, and so does what stands on it.
+    """
+    mine = _level(pieces, X_WO, scale(top.normal, -1.0), top.corners[0])
+    theirs = _level(standing.pieces, standing.X_WO, top.normal, top.corners[0])
+    if len(mine) < 2 and len(theirs) < 2:
+        return _clipped(_flat(bottom), _flat(top))
+    met = [_clipped(_flat(a), _flat(b)) for a in mine or [bottom] for b in theirs or [top]]
+    return list(hull(point for polygon in met for point in polygon))
+
+
+def _level(pieces: Sequence[Piece], X_WO: Pose, normal: Vector, at: Vector) -> list[Face]:
+    """Return the faces of pieces that lie in a plane and look along its normal."""
+    found: list[Face] = []
+    for piece in pieces:
+        X_WP = X_WO @ piece.X_OP
+        for face in _faces(piece.shape):
+            if dot(rotate(X_WP.rotation, face.normal), normal) < FLUSH:
+                continue
+            corners = tuple(X_WP.apply(corner) for corner in face.corners)
+            if all(abs(dot(subtract(corner, at), normal)) <= LEVEL for corner in corners):
+                found.append(Face(normal, corners))
+    return found
+
+
 def _aligned(X_WO: Pose, bottom: Face, top: Face) -> Pose:
     """Return the pose turned least to make the faces parallel, and shifted to let them meet."""
     target = scale(top.normal, -1.0)
@@ -210,17 +245,14 @@ def _faces(shape: Shape) -> tuple[Face, ...]:
 
 
 def _hull_faces(points: Sequence[Vector]) -> tuple[Face, ...]:
-    hull = faces(np.array(points))
-    corners: list[Vector] = [(x, y, z) for x, y, z in hull.vertices.tolist()]
+    whole = faces(np.array(points))
+    corners: list[Vector] = [(x, y, z) for x, y, z in whole.vertices.tolist()]
     found: list[Face] = []
-    for polygon in hull.polygons:
+    for polygon in whole.polygons:
         ring = tuple(corners[index] for index in polygon)
         normal = cross(subtract(ring[1], ring[0]), subtract(ring[2], ring[1]))
         found.append(Face(scale(normal, 1.0 / math.sqrt(dot(normal, normal))), ring))
     return tuple(found)
-
-
-Point = tuple[float, float]
 
 
 def _flat(face: Face) -> list[Point]:

@@ -1,6 +1,7 @@
 """In which ways a hand can hold an object, as far as its kind tells.
 
-A can is held round its middle from above, from the side or in between; a dish by its wall.
+A can is held round its middle from above, from the side or in between; a dish by its wall; a mesh
+as its file says, or by its pieces.
 """
 
 import math
@@ -24,6 +25,11 @@ def holds(gripper: Gripper, body: Body) -> Iterator[Pose]:
 
     None for what is too wide, too low or too high for the hand.
     """
+    if body.kind == "mesh":
+        from vrts.scene.handling.mesh_grips import mesh_grips  # numpy
+
+        yield from mesh_grips(gripper, body)
+        return
     height = grip_height(gripper, body)
     if height is None:
         return

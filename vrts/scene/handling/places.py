@@ -11,6 +11,7 @@ from types import MappingProxyType
 from vrts.base.diagnostic import Rule
 from vrts.base.oat import rotation_from_oat
 from vrts.base.pose import (
+    IDENTITY,
     Z_AXIS,
     Pose,
     Vector,
@@ -78,6 +79,12 @@ def find_places(
         name = f"{body.name}_grip".lower()
         if name in given:
             found[name] = given[name]
+            continue
+        if body.kind == "mesh":
+            place = _grip_mesh(scene, body, problems)
+            if place is not None:
+                found[name] = place.X_WT
+                heights[body.name] = _height(scene, body, place)
             continue
         if not any(_fits(scene.robot.gripper, body, turn) for turn in _turns(body)):
             _warn_too_wide(scene.robot.gripper, body, problems)
@@ -169,6 +176,34 @@ def _grip(scene: Scene, body: Body, height: float) -> Place | None:
     return best_place(scene, _downs(point, turns), others, own=(placed_body(body),))
 
 
+def _grip_mesh(scene: Scene, body: Body, problems: Problems) -> Place | None:
+    """Return where the hand takes what a mesh describes; None after saying why not."""
+    from vrts.scene.handling.mesh_grips import least_height, mesh_grips  # numpy
+
+    grips = mesh_grips(scene.robot.gripper, body)
+    least = least_height(scene.robot.gripper)
+    if not grips and bounds(body.pieces, IDENTITY).upper[2] < least:
+        why = f"it is too low for the fingers to get round it: {mm(least):.0f} mm are needed"
+        _warn_no_place(f"`{body.name}` cannot be gripped from above", body, problems, why)
+        return None
+    if not grips:
+        _warn_too_wide(scene.robot.gripper, body, problems)
+        return None
+    others = [other for other in scene.bodies if other.name != body.name]
+    poses = [body.X_WO @ X_OP for X_OP in grips]
+    place = best_place(scene, poses, others, own=(placed_body(body),))
+    if place is None:
+        why = _out_of_reach(scene, poses[0].translation, 0.0)
+        _warn_no_place(f"`{body.name}` cannot be gripped from above", body, problems, why)
+    return place
+
+
+def _height(scene: Scene, body: Body, place: Place) -> float:
+    """Return how high above an object's underside the pads are at a place [m]."""
+    X_WP = place.X_WT @ scene.X_FT.inverse() @ scene.robot.gripper.X_FP
+    return X_WP.translation[2] - body.X_WO.translation[2]
+
+
 def _put(scene: Scene, base: Body, body: Body, height: float, grip: Pose) -> Place | None:
     """Return where the hand sets an object down so that it stands as it stood, or looks so.
 
@@ -186,6 +221,10 @@ def _put(scene: Scene, base: Body, body: Body, height: float, grip: Pose) -> Pla
     for other in others:
         if other.name != base.name and near(held, placed_body(other), LEAST_GAP):
             return None
+    if body.kind == "mesh":  # as it is gripped; no turn of it is known to look the same
+        X_WP = grip @ scene.X_FT.inverse() @ scene.robot.gripper.X_FP
+        poses = [held.X_WO @ body.X_WO.inverse() @ X_WP]
+        return best_place(scene, poses, others, own=(held,))
     gripped = _turn_of(scene, grip)
     turns = [
         turn
@@ -261,6 +300,8 @@ def _tens(length: float) -> float:
 
 def _warn_too_wide(gripper: Gripper, body: Body, problems: Problems) -> None:
     remedy = "make it narrower, or write fixed = true"
+    if body.kind == "mesh":
+        remedy = "say where it is held: grip = { at_mm = [x, y, z], turn_deg = 90 }"
     if body.kind in BY_ITS_EDGE:
         part = BY_ITS_EDGE[body.kind]
         remedy = f"write in `[locations]`, as `{body.name}_grip`, where it is gripped by its {part}"

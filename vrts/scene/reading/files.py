@@ -5,6 +5,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
+PIECES = ".pieces.json"  # behind the name of a mesh: its convex pieces, unless a scene says other
+
 _PLAIN = re.compile(r"[\w.-][\w. -]*(/[\w.-][\w. -]*)*")
 
 

@@ -7,6 +7,7 @@ from vrts.base.toml.reading import Table
 from vrts.base.units import DEG, MM
 from vrts.robots.model import Robot
 from vrts.scene.colors import Color
+from vrts.scene.reading.files import SceneFolder
 from vrts.scene.things.forms import Form, dish, stand, table, upright_box, upright_cylinder
 from vrts.scene.things.oven import BELOW, Oven, oven
 from vrts.scene.things.pizza import ARM, pizza
@@ -23,8 +24,9 @@ COLORS = {  # usual colours of the kinds
     "stand": "wood",
     "oven": "steel",
     "pizza": "#f0cf73",
+    "mesh": "steel",
 }
-CARRIED = ("can", "dish", "pizza")  # unless the file says otherwise
+CARRIED = ("can", "dish", "pizza", "mesh")  # unless the file says otherwise
 MAY_BE_FIXED = (*CARRIED, "box")
 FARTHEST = 10_000.0  # [mm] any position or size
 STEEPEST = 25.0  # [degrees] of a stand: steeper, nothing would stay on it
@@ -38,7 +40,9 @@ HANDLE = 100.0  # [mm]
 SHORTEST = ARM / MM + 30.0  # [mm] handle that leaves room for the fingers
 
 
-def read_form(kind: str, section: Table, chosen: Robot, paint: Color) -> Form | None:
+def read_form(
+    kind: str, section: Table, chosen: Robot, paint: Color, folder: SceneFolder
+) -> Form | None:
     """Return the shape of an object, or None after saying what is wrong.
 
     Args:
@@ -46,6 +50,7 @@ def read_form(kind: str, section: Table, chosen: Robot, paint: Color) -> Form | 
         section: The object's.
         chosen: The robot, whose shoulder's height tells where the floor is.
         paint: The object's colour.
+        folder: Where the pieces of a mesh are.
     """
     match kind:
         case "can":
@@ -63,6 +68,10 @@ def read_form(kind: str, section: Table, chosen: Robot, paint: Color) -> Form | 
             return _oven(section, paint)
         case "pizza":
             return _pizza(section, paint)
+        case "mesh":
+            from vrts.scene.reading.mesh_section import read_mesh  # numpy
+
+            return read_mesh(section, folder)
         case _:
             return _table(section, chosen)
 

@@ -30,6 +30,7 @@ from vrts.scene.reading.lab import in_lab, laid_over, read_lab
 from vrts.scene.reading.locations_section import INVALID_NAME, read_following, read_locations
 from vrts.scene.reading.robot_section import read_robot
 from vrts.scene.standing import (
+    check_footing,
     check_overlaps,
     check_robot,
     check_support,
@@ -123,7 +124,7 @@ def _scene(top: Table, folder: SceneFolder, problems: Problems, named: str | Non
     top.finish()
     drafts: dict[str, Draft] = {}
     for object_name, section in sections:
-        draft = _draft(object_name, section, arm_and_hand)
+        draft = _draft(object_name, section, arm_and_hand, folder)
         if draft is not None and _acceptable(draft, drafts, arm_and_hand, problems):
             drafts[object_name] = draft
     floor = floor_body(arm_and_hand)
@@ -167,13 +168,13 @@ def _digest(source: SourceFile, folder: SceneFolder) -> str:
     return digest.hexdigest()
 
 
-def _draft(name: str, section: Table, chosen: Robot) -> Draft | None:
+def _draft(name: str, section: Table, chosen: Robot, folder: SceneFolder) -> Draft | None:
     kind = section.string("kind", choices=COLORS, required=True)
     if kind is None:
         return None
     title = section.string("title", name)
     paint = _color(section, COLORS[kind])
-    form = read_form(kind, section, chosen, paint)
+    form = read_form(kind, section, chosen, paint, folder)
     heights = (2,) if kind == "table" else (2, 3)
     at = section.numbers("at_mm", count=heights, minimum=-FARTHEST, maximum=FARTHEST, required=True)
     turn = section.number("turn_deg", 0.0, minimum=-360.0, maximum=360.0) * DEG
@@ -263,6 +264,7 @@ def _supported(bodies: tuple[Body, ...], problems: Problems) -> tuple[Body, ...]
         if not must_stand(body):
             found.append(body)
             continue
+        check_footing(body, problems)
         support = find_support(body, bodies)
         check_support(body, support, problems)
         movable = body.mobility is Mobility.MOVABLE

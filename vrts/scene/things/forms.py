@@ -29,6 +29,7 @@ class Form(NamedTuple):
     symmetry_axis: Vector | None  # turning about it changes nothing
     height: float  # [m]
     paint: tuple[Color, ...] = ()  # of each piece; empty: all have the object's colour
+    grips: tuple[Pose, ...] = ()  # of the pads, where the file says how it is held
 
 
 def upright_cylinder(radius: float, height: float) -> Form:

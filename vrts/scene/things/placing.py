@@ -89,6 +89,7 @@ class Placer:
             None,
             draft.section.name_span,
             form.paint,
+            form.grips,
         )
         self.bodies[draft.name] = body
         return body

@@ -69,7 +69,12 @@ _Marked: TypeAlias = tuple[int, Vector]  # number of the part, and one of its po
 
 
 def symmetries_of(body: Body) -> Symmetries:
-    """Return the symmetries of a body; colours of its pieces count."""
+    """Return the symmetries of a body; colours of its pieces count.
+
+    A mesh counts as having none: where it was split says nothing of what it is.
+    """
+    if body.kind == "mesh":
+        return NONE
     colors = tuple(color for _, color in body.painted)
     return symmetries(body.pieces, colors, body.symmetry_axis)
 

@@ -1,0 +1,105 @@
+"""`vrts scene check` with meshes: pieces made, proven, and refused where they are others."""
+
+import json
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner, Result
+
+from tests.parts import stl, u_shape
+from vrts.cli.main import vrts
+from vrts.pipeline.pieces import splitting
+
+SCENE = """
+[objects.table]
+kind = "table"
+at_mm = [1000, 0]
+size_mm = [800, 1400]
+top_z_mm = -300
+
+[objects.cradle]
+kind = "mesh"
+file = "cradle.stl"
+unit = "mm"
+at_mm = [850, -330]
+on = "table"
+"""
+
+
+def folder_with(path: Path, scene: str = SCENE) -> Path:
+    (path / "scene.toml").write_text(scene)
+    (path / "cradle.stl").write_bytes(stl(u_shape()))
+    return path
+
+
+def check(folder: Path, *more: str) -> Result:
+    return CliRunner().invoke(vrts, ["scene", "check", str(folder), *more])
+
+
+@pytest.mark.thorough
+def test_pieces_are_made_once_and_proven_at_every_check(tmp_path: Path) -> None:
+    folder = folder_with(tmp_path)
+    lacking = check(folder)
+    assert lacking.exit_code == 1
+    assert "V899" in lacking.stderr
+    picture = tmp_path / "pieces.png"
+    made = check(folder, "--write", "--png", str(picture))
+    assert made.exit_code == 0, made.output
+    assert "proven: the pieces hold the whole surface of the mesh" in made.stdout
+    assert picture.read_bytes().startswith(b"\x89PNG")
+    file = folder / "cradle.stl.pieces.json"
+    first = file.read_bytes()
+    assert len(json.loads(first)["pieces_mm"]) == 3
+    again = check(folder, "--write")
+    assert "is as it was" in again.stderr
+    assert file.read_bytes() == first
+
+    fields = json.loads(first)
+    fields["pieces_mm"].pop()
+    file.write_text(json.dumps(fields))
+    short = check(folder)
+    assert short.exit_code == 1
+    assert "V912" in short.stderr
+    assert "the mesh stands out of the pieces by up to" in short.stdout
+
+    file.write_bytes(first)
+    (folder / "cradle.stl").write_bytes(stl(u_shape() * 1.01))
+    changed = check(folder)
+    assert changed.exit_code == 1
+    assert "V910" in changed.stderr
+
+    (folder / "cradle.stl").unlink()
+    alone = check(folder)
+    assert alone.exit_code == 0
+    assert "runs do not need it" in alone.stdout
+
+
+@pytest.mark.parametrize(
+    ("scene", "said"),
+    [
+        (SCENE.replace('"cradle.stl"', '"../cradle.stl"'), "own folder"),
+        (SCENE.replace('"cradle.stl"', '"missing.stl"'), "no such file"),
+        (SCENE.replace('"cradle.stl"', '"scene.toml"'), "no mesh that vrts reads"),
+        (SCENE.replace('unit = "mm"', 'unit = "m"'), "farther than 10 m"),
+    ],
+)
+def test_meshes_that_cannot_be_taken_are_told(tmp_path: Path, scene: str, said: str) -> None:
+    found = check(folder_with(tmp_path, scene), "--write")
+    assert found.exit_code == 1
+    assert "V897" in found.stderr
+    assert said in found.stderr
+
+
+def test_a_library_that_is_not_there_is_named(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(splitting, "NEEDED", ("no_such_package",))
+    found = check(folder_with(tmp_path), "--write")
+    assert found.exit_code == 1
+    assert "V911" in found.stderr
+    assert "vrts[mesh]" in found.stderr
+    assert "V899" not in found.stderr
+
+
+def test_asking_for_pieces_without_writing_them_is_a_wrong_call(tmp_path: Path) -> None:
+    assert check(folder_with(tmp_path), "--most", "4").exit_code == 2
