@@ -1,17 +1,18 @@
 """A process that marks again, told by one line of JSON, and telling by such lines.
 
-It holds a lock in the folder: so every desk knows that a marking goes on, and no two do. It ends
-when the desk closes its input, after the submission that is being marked; what is marked is kept.
+It inherits a lock in the folder: so every desk knows that a marking goes on, also when the desk
+that began it has died. It ends when its desk closes its input, after the submission that is being
+marked; what is marked is kept.
 """
 
 import os
 import select
 import sys
+from contextlib import suppress
 from pathlib import Path
 
 import msgspec
 
-from vrts.desk.again.going_on import marking_alone
 from vrts.desk.again.marked import mark_again
 from vrts.desk.again.spoken import LONGEST, Asked, Said
 from vrts.desk.book.shelf import sentence
@@ -28,8 +29,7 @@ def main() -> None:
     asked = msgspec.json.decode(line, type=Asked)
     folder = Path(asked.folder)
     try:
-        with marking_alone(folder):
-            count = mark_again(folder, asked.students, _told, _stopped)
+        count = mark_again(folder, asked.students, _told, _stopped)
         _say(Said(count, count, ended=True))
     except (CannotRead, Refused) as problem:
         _say(Said(0, 0, ended=True, problem=sentence(problem)))
@@ -48,8 +48,9 @@ def _stopped() -> bool:
 
 
 def _say(said: Said) -> None:
-    sys.stdout.buffer.write(msgspec.json.encode(said) + b"\n")
-    sys.stdout.buffer.flush()
+    with suppress(BrokenPipeError):  # the desk has died: the marking stops as if it had said so
+        sys.stdout.buffer.write(msgspec.json.encode(said) + b"\n")
+        sys.stdout.buffer.flush()
 
 
 if __name__ == "__main__":

@@ -7,34 +7,27 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Final
 
-from vrts.base.diagnostic import error
-from vrts.desk.book.opened import GOES_ON
 from vrts.marking.layout import Layout
 from vrts.marking.supervise.staging import LOCK as STAGING_LOCK
-from vrts.pipeline.refused import Refused
 
 LOCK: Final = ".again.lock"  # in `staff`; nothing is in it
 WRITING: Final = ".writing.lock"  # the same
 
 
-@contextmanager
-def marking_alone(folder: Path) -> Generator[None]:
-    """Mark in a folder in which nobody else does.
+def taken_for_marking(folder: Path) -> int | None:
+    """Return a file that is locked as long as it, or a copy of it in a process, is open.
+
+    None: somebody marks already, a desk or `vrts grade`.
 
     Raises:
-        Refused: Somebody does.
         OSError: The folder cannot be written.
     """
     staff = Layout(folder).staff
     descriptor = os.open(staff / LOCK, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
-    try:
-        if not _taken(descriptor) or _staging(folder):
-            headline = "a marking goes on in this folder already"
-            remedy = "wait until it has ended, then mark again"
-            raise Refused((error(GOES_ON, headline, help=(remedy,)),))
-        yield
-    finally:
-        os.close(descriptor)
+    if _taken(descriptor) and not _staging(folder):
+        return descriptor
+    os.close(descriptor)
+    return None
 
 
 @contextmanager

@@ -1,5 +1,6 @@
 """Marking again beside the desk: one at a time, in a process of its own, with its progress."""
 
+import os
 import subprocess
 import sys
 import threading
@@ -9,7 +10,7 @@ from pathlib import Path
 import msgspec
 
 from vrts.desk.again.asked import again
-from vrts.desk.again.going_on import goes_on
+from vrts.desk.again.going_on import goes_on, taken_for_marking
 from vrts.desk.again.spoken import LONGEST, Asked, Said
 from vrts.desk.book.opened import Opened
 from vrts.desk.told import MarkingTold
@@ -50,17 +51,23 @@ class Marking:
 
         Raises:
             Refused: What is needed for it is not where it was.
+            OSError: The folder cannot be written, or no process begins.
         """
         again(opened.about, opened.layout, 1)  # whether all of it is there
         with self._lock:
-            if self._process is not None or goes_on(self._folder):
+            lock = None if self._process is not None else taken_for_marking(self._folder)
+            if lock is None:
                 return False
-            process = subprocess.Popen(
-                [sys.executable, "-m", "vrts.desk.again.child"],
-                stdin=subprocess.PIPE,
-                stdout=subprocess.PIPE,
-                start_new_session=True,  # Ctrl-C is for the desk, which ends it
-            )
+            try:
+                process = subprocess.Popen(
+                    [sys.executable, "-m", "vrts.desk.again.child"],
+                    stdin=subprocess.PIPE,
+                    stdout=subprocess.PIPE,
+                    pass_fds=(lock,),  # who has it, marks
+                    start_new_session=True,  # Ctrl-C is for the desk, which ends it
+                )
+            finally:
+                os.close(lock)
             self._process = process
             count = 0 if students is None else len(students)
             self._told = MarkingTold(True, 0, count)

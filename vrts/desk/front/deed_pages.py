@@ -78,6 +78,8 @@ class DeedPages:
                     return refusal(409, "a marking goes on already: wait until it has ended")
             except Refused as problem:
                 return diagnosed(problem.diagnostics)
+            except OSError as problem:
+                return refusal(507, f"cannot mark: {(problem.strerror or 'it failed').lower()}")
             return told(request, self._marking.told(book.opened), 202)
 
         return await asyncio.to_thread(made)
