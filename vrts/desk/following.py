@@ -3,11 +3,9 @@
 from pathlib import Path
 
 from vrts.desk.again.going_on import goes_on, writing_alone
-from vrts.desk.book.deciding import decided_now
 from vrts.desk.book.opened import open_marking
 from vrts.desk.book.shelf import sentence
-from vrts.marking.class_files import write_class
-from vrts.marking.exports.write import write_feedback
+from vrts.marking.renewing.renewed import renewed
 from vrts.pipeline.files import CannotRead
 from vrts.pipeline.refused import Refused
 
@@ -22,11 +20,8 @@ def follow(folder: Path) -> str:
             if goes_on(folder):
                 return ""
             opened = open_marking(folder)
-            if opened.about.finished is None:
-                return ""
-            rows, _ = decided_now(opened)
-            write_class(rows, opened.about, opened.layout)
-            write_feedback(rows, opened.layout)
+            if opened.about.finished is not None:
+                renewed(opened.layout)
     except (CannotRead, Refused) as problem:
         return f"lists and feedback are not up to date: {sentence(problem)}"
     except OSError as problem:

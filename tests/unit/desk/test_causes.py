@@ -2,9 +2,9 @@
 
 from msgspec.structs import replace
 
-from tests.support_desk import HITS, MISSES
+from tests.support_desk import HITS, MISSES, SLOW
 from tests.support_rows import plain_row
-from vrts.desk.rows.causes import cause_key, causes_of, keys_of
+from vrts.desk.rows.causes import cause_key, causes_of, keys_of, weighed
 from vrts.marking.result import Loss
 
 
@@ -35,3 +35,14 @@ def test_causes_name_whom_they_cost_points_the_commonest_first() -> None:
     assert first.sentence == "the held `can1` hits `base1`"
     assert second.sentence == "`can2` is … mm from its goal"
     assert keys_of(rows[1].result) == (first.key,)
+
+
+def test_points_for_speed_that_others_took_along_come_last() -> None:
+    """Whoever has any fault loses them: of all rows, and of no use to tell them apart."""
+    for_speed = replace(SLOW, sentence="points for speed are given only when nothing else is wrong")
+    along = (replace(for_speed, points=2.0), HITS)
+    rows = [plain_row(name, losses=along) for name in "abc"]
+    rows += [plain_row("d", losses=(MISSES,)), plain_row("e", losses=(SLOW,))]
+    kinds = [(cause.kind, cause.count) for cause in causes_of(rows)]
+    assert kinds == [("contact", 3), ("target", 1), ("time", 1), ("time", 3)]
+    assert [loss.kind for loss in weighed(rows[0].result)] == ["contact", "time"]

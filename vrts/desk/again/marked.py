@@ -20,6 +20,7 @@ from vrts.marking.exports.write import write_feedback
 from vrts.marking.layout import Layout
 from vrts.marking.marking import Done
 from vrts.marking.privacy.pseudonyms import read_names
+from vrts.marking.renewing.renewed import write_sections
 from vrts.marking.row import Class, Row, class_from_bytes
 from vrts.marking.similarity.files import compare_class
 from vrts.marking.submission.marker import Marker
@@ -92,6 +93,7 @@ def mark_again(
         after = replace(about, finished=_now(), intake_sha256=intake, late=late)
         rows, _ = decided_now(Opened(layout, rows, after))  # also what was decided meanwhile
         write_class(rows, after, layout)
+        write_sections([row for row in rows.rows if row.id in done], layout)
         write_feedback(rows, layout)
     if marked is not None and whole:
         compare_class(marked, marker, layout)

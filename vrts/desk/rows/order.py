@@ -15,6 +15,7 @@ from vrts.marking.row import Row
 from vrts.marking.unsafe import REASONS
 
 CONFLICT, UNSAFE, MINE, CAUSE, ALIKE, REST, DONE = range(7)
+LONGEST = 60  # characters of a cause
 _URGENT = {reason: place for place, reason in enumerate(REASONS)}
 
 
@@ -61,10 +62,9 @@ def _place(
         return REST, 1, "", "another grader's"
     keys = keys_of(found_out(row))
     if keys:
-        first = min(keys, key=lambda key: rank[key])
-        cause = shared[first]
+        cause = shared[keys[0]]
         also = "" if cause.count == 1 else f", as {_others(cause.count - 1)}"
-        return CAUSE, rank[first], "", f"lost {cause.points:g}{also}"
+        return CAUSE, rank[cause.key], "", f"{_short(cause.sentence)}{also}"
     alike = book.likeness.get(row.id)
     if alike is not None:
         return ALIKE, -alike.score, alike.group, f"like {_others(len(alike.with_))}"
@@ -73,3 +73,9 @@ def _place(
 
 def _others(count: int) -> str:
     return "1 other" if count == 1 else f"{count} others"
+
+
+def _short(sentence: str) -> str:
+    """Return the begin of a sentence, without the signs that set names apart."""
+    plain = sentence.replace("`", "")
+    return plain if len(plain) <= LONGEST else f"{plain[: LONGEST - 1].rstrip()}…"

@@ -42,6 +42,7 @@ FILES = (
         for end in ("", ".part")
     ),
     f"{STAFF}/{about.NAME}.part",
+    *(f"{STAFF}/{name}" for name in (".again.lock", ".writing.lock")),  # of the desk
 )
 MARKER = f"{STAFF}/{about.NAME}"  # deleted last: where it is, there may be more
 LARGEST_ABOUT = 4_000_000  # bytes
