@@ -22,6 +22,7 @@ class Again(NamedTuple):
 
     submissions: Path | list[Path]
     how: HowTo
+    corpora: tuple[Path, ...] = ()  # what the programs are compared with beside each other
 
 
 def again(about: About, layout: Layout, jobs: int) -> Again:
@@ -49,13 +50,14 @@ def again(about: About, layout: Layout, jobs: int) -> Again:
     task = Path(about.place.task)
     paths = [Path(text) for text in about.submissions]
     asked = (task, *paths, *(path for path in (given.table, given.roster) if path is not None))
+    asked = (*asked, *given.corpora)
     lacking = next((path for path in asked if not path.exists()), None)
     if lacking is not None:
         raise _moved(lacking, task=lacking == task)
     if not paths:
-        return Again(of_example(task.parent), how)
+        return Again(of_example(task.parent), how, given.corpora)
     alone = len(paths) == 1 and (paths[0].is_dir() or paths[0].suffix.lower() == ".zip")
-    return Again(paths[0] if alone else paths, how)
+    return Again(paths[0] if alone else paths, how, given.corpora)
 
 
 class _Given(NamedTuple):
@@ -63,6 +65,7 @@ class _Given(NamedTuple):
     roster: Path | None
     variants_key: Path | None
     zone: str
+    corpora: tuple[Path, ...]
 
 
 def _given(about: About) -> _Given:
@@ -72,8 +75,9 @@ def _given(about: About) -> _Given:
     parser.add_argument("--roster", type=Path)
     parser.add_argument("--key", type=Path)
     parser.add_argument("--zone", default="")
+    parser.add_argument("--corpus", type=Path, action="append", default=[])
     found, _ = parser.parse_known_args(list(about.command))
-    return _Given(found.intake, found.roster, found.key, found.zone)
+    return _Given(found.intake, found.roster, found.key, found.zone, tuple(found.corpus))
 
 
 def _zone(name: str) -> tzinfo | None:

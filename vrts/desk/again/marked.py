@@ -9,7 +9,7 @@ from pathlib import Path
 from msgspec.structs import replace
 
 from vrts.base.diagnostic import Rule, error
-from vrts.desk.again.asked import Again, again
+from vrts.desk.again.asked import again
 from vrts.desk.again.going_on import writing_alone
 from vrts.desk.book.deciding import decided_now
 from vrts.desk.book.opened import Opened, open_marking
@@ -22,6 +22,7 @@ from vrts.marking.marking import Done
 from vrts.marking.privacy.pseudonyms import read_names
 from vrts.marking.renewing.renewed import write_sections
 from vrts.marking.row import Class, Row, class_from_bytes
+from vrts.marking.similarity.corpus import read_corpora
 from vrts.marking.similarity.files import compare_class
 from vrts.marking.submission.marker import Marker
 from vrts.marking.variants.of_class import MarkerOfClass, marker_for
@@ -64,7 +65,7 @@ def mark_again(
         _require_same_task(opened, marker, students)
         names = read_names(layout)
         only = frozenset(names[name]["id"] if name in names else name for name in students)
-        asked = Again(asked.submissions, asked.how._replace(only=only))
+        asked = asked._replace(how=asked.how._replace(only=only))
     done: dict[str, Row] = {}
     every: list[str] = []
 
@@ -92,11 +93,11 @@ def mark_again(
         late = None if task is None else Late.of(task.late)
         after = replace(about, finished=_now(), intake_sha256=intake, late=late)
         rows, _ = decided_now(Opened(layout, rows, after))  # also what was decided meanwhile
-        write_class(rows, after, layout)
         write_sections([row for row in rows.rows if row.id in done], layout)
         write_feedback(rows, layout)
+        write_class(rows, after, layout)  # last: whatever is interrupted before is made up for
     if marked is not None and whole:
-        compare_class(marked, marker, layout)
+        compare_class(marked, marker, layout, read_corpora(asked.corpora, layout.root))
         with writing_alone(folder):
             write_overview(rows, after, layout)  # again: it links to what was compared
     return len(done)
