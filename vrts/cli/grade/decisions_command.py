@@ -1,5 +1,6 @@
 """`vrts grade decisions`."""
 
+import shlex
 import sys
 from datetime import UTC, datetime
 from pathlib import Path
@@ -147,6 +148,7 @@ def _lines(told: "Listing", folder: Path) -> "Iterator[str]":
     """Yield the list: what is not settled first."""
     from vrts.report.plain import one_line
 
+    where = shlex.quote(str(folder))
     if not told.decisions:
         yield "graders have decided nothing"
         return
@@ -155,7 +157,9 @@ def _lines(told: "Listing", folder: Path) -> "Iterator[str]":
     for conflict in told.conflicts:
         about = f"{one_line(conflict.student)}: " if conflict.student else ""
         yield f"  {about}{conflict.sentence}"
-        yield f"      settle it: vrts grade decisions {folder} --keep {conflict.records[0]} ..."
+        side = conflict.records[0]
+        typed = f"vrts grade decisions {where} --keep {side} --who YOU --reason WHY"
+        yield f"      settle it, for example: {typed}"
     if told.items:
         yield "Rubric items:"
     for item in told.items:
