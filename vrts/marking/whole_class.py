@@ -1,18 +1,25 @@
 """The marking of a class from the download to the list of marks."""
 
 from collections.abc import Callable, Iterable, Sequence
-from datetime import tzinfo
+from dataclasses import replace
+from datetime import datetime, tzinfo
 from hashlib import sha256
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import NamedTuple
 
 from vrts.base.diagnostic import Diagnostic
-from vrts.check.task.late_rules import Keep
+from vrts.check.task.late_rules import Keep, LateRules
 from vrts.check.task.task import Task
 from vrts.marking.about import NAME as ABOUT
 from vrts.marking.about import from_bytes as about_from_bytes
-from vrts.marking.by_hand.by_hand import NOBODY, all_lapses, load_by_hand, with_by_hand
+from vrts.marking.by_hand.by_hand import (
+    NOBODY,
+    all_lapses,
+    later_deadlines,
+    load_by_hand,
+    with_by_hand,
+)
 from vrts.marking.class_marks import (
     Mark,
     class_row,
@@ -31,7 +38,14 @@ from vrts.marking.intake.take_in import take_in_tree
 from vrts.marking.intake.tree.opening import Tree, open_place
 from vrts.marking.layout import Layout, write_atomically
 from vrts.marking.marking import Done, Entry, mark_class
-from vrts.marking.privacy.pseudonyms import NAMES, key_for, names_table, pseudonymised, write_names
+from vrts.marking.privacy.pseudonyms import (
+    NAMES,
+    key_for,
+    names_table,
+    pseudonym,
+    pseudonymised,
+    write_names,
+)
 from vrts.marking.remote.backend import Backend
 from vrts.marking.remote.mark_on_dask import mark_on_dask
 from vrts.marking.result import Damaged
@@ -131,6 +145,7 @@ def mark_whole_class(
             lambda asked: mark(asked, None, None),
             how,
             known=lambda rows: None if own is None else own.assign(rows, variants),
+            later=_later(layout, how),
         )
         named, key = found, None
         if how.pseudonyms and layout is not None:
@@ -216,6 +231,7 @@ def take_in_class(
     mark: Mark,
     how: HowTo = USUAL,
     known: Callable[[Sequence[Found]], None] = lambda _: None,
+    later: Callable[[str], datetime | None] = lambda _: None,
 ) -> TakenIn:
     """Return the rows of a class: those of the edited table, with the attempts that count.
 
@@ -226,6 +242,7 @@ def take_in_class(
         mark: Marks attempts without writing anything.
         how: The class's list, and the zone of times.
         known: Told the rows before anything is marked.
+        later: Returns the later deadline that graders gave to an id, by which attempts count.
 
     Raises:
         CannotRead: The table or the list is not there.
@@ -237,11 +254,30 @@ def take_in_class(
     found, warnings = _as_edited(tree, intake, table)
     if how.only is not None:
         found = tuple(row for row in found if row.identifier in how.only)
-    found, about_exam = counted(found, task.late)
+    own = {row.identifier: row.due for row in found}
+    rows = [_extended(row, later(row.identifier), task.late) for row in found]
+    found, about_exam = counted(rows, task.late)
     known(found)
     if task.keep is Keep.BEST:
         found = with_best_attempts(tree, found, task.late, mark)
+    found = tuple(replace(row, due=own[row.identifier]) for row in found)  # rows extend by hand
     return TakenIn(found, intake.remarks, (*warnings, *about_exam))
+
+
+def _extended(row: Found, later: datetime | None, rules: LateRules | None) -> Found:
+    """Return a row with a later deadline; one that is earlier than what it has changes nothing."""
+    if later is None or rules is None:
+        return row
+    return replace(row, due=max(row.due or rules.due, later))
+
+
+def _later(layout: Layout | None, how: HowTo) -> Callable[[str], datetime | None]:
+    """Return what tells the later deadline of an id, which may stand under its pseudonym."""
+    given = {} if layout is None else later_deadlines(layout)
+    if not given or layout is None or not how.pseudonyms:
+        return given.get
+    key = key_for(layout)
+    return lambda identifier: given.get(pseudonym(identifier, key))
 
 
 def table_for(

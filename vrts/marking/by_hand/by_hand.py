@@ -1,6 +1,7 @@
 """All that people decide about a class: `overrides.toml` and graders' files, and what it makes."""
 
 from collections.abc import Collection, Iterator, Sequence
+from datetime import datetime
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -12,6 +13,7 @@ from vrts.check.task.late_rules import LateRules
 from vrts.marking.by_hand.decisions.files import read_decisions
 from vrts.marking.by_hand.decisions.ledger import NONE as NO_LEDGER
 from vrts.marking.by_hand.decisions.ledger import Ledger
+from vrts.marking.by_hand.decisions.records import Extend
 from vrts.marking.by_hand.decisions.state import NOTHING, Prepared, prepared
 from vrts.marking.by_hand.graded import graded, undecided
 from vrts.marking.by_hand.override_text import load_overrides
@@ -71,6 +73,25 @@ def load_by_hand(
     ready = prepared(ledger)
     told = (*overrides.diagnostics, *ledger.diagnostics, *_unknown(ready, set(known)))
     return ByHand(overrides, ledger, ready, late, told)
+
+
+def later_deadlines(layout: Layout) -> dict[str, datetime]:
+    """Return the later deadlines that graders have given, by id; those in conflict are left out.
+
+    Raises:
+        Refused: A file has errors.
+        CannotRead: It cannot be read.
+    """
+    ledger = read_decisions(layout.decisions)
+    if ledger.wrong:
+        raise Refused(ledger.diagnostics)
+    ready = prepared(ledger)
+    found: dict[str, datetime] = {}
+    for student in ready.about:
+        for one in ready.of(student).extension:
+            if isinstance(one.said, Extend):
+                found[student] = datetime.fromisoformat(one.said.due)
+    return found
 
 
 def with_by_hand(row: Row, by_hand: ByHand) -> Row:
