@@ -76,7 +76,7 @@ export function withOffset(local) {
 
 /** Return an identifier made of a title, which no other has. @param {string} title @param {Set<string>} taken */
 export function identifier(title, taken) {
-  const plain = title.normalize("NFKD").toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-+|-+$/g, "").slice(0, 32) || "item";
+  const plain = title.normalize("NFKD").replace(/\p{M}/gu, "").toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-+|-+$/g, "").slice(0, 32) || "item";
   for (let k = 1; ; k += 1) {
     const id = k === 1 ? plain : `${plain.replace(/-+$/, "")}-${k}`;
     if (!taken.has(id)) return id;

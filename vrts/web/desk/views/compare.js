@@ -26,7 +26,7 @@ export async function compare(desk, first, second) {
     : make("p", { class: "soft no-frame", text: "There is no report of this one." })));
   const time = make("input", { type: "range", min: 0, max: 0, step: 0.01, value: 0, "aria-label": "Time of both replays" });
   const told = make("output", { text: moment(0) });
-  const ends = [0, 0];
+  const ends = [-1, -1]; // -1: its replay is not there yet
   const show = (/** @type {number} */ at) => {
     write(told, moment(at));
     for (const frame of frames) if (frame instanceof HTMLIFrameElement) frame.contentWindow?.postMessage({ vrts: "show", time_s: at }, "*");
@@ -34,8 +34,8 @@ export async function compare(desk, first, second) {
   time.addEventListener("input", () => show(Number(time.value)));
   const hear = (/** @type {MessageEvent} */ event) => {
     const k = frames.findIndex((frame) => frame instanceof HTMLIFrameElement && frame.contentWindow === event.source);
-    if (k < 0 || event.data?.vrts !== "shown" || !Number.isFinite(event.data.end_s) || ends[k]) return;
-    ends[k] = event.data.end_s;
+    if (k < 0 || event.data?.vrts !== "shown" || !Number.isFinite(event.data.end_s) || ends[k] >= 0) return;
+    ends[k] = Math.max(event.data.end_s, 0);
     time.max = String(Math.max(...ends));
     show(Number(time.value)); // who was not there yet
   };

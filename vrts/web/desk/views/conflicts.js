@@ -27,9 +27,11 @@ export class Conflicts {
     const seen = JSON.stringify(conflicts);
     if (seen === this.seen) return; // what is being typed stays
     this.seen = seen;
+    const had = this.place.contains(document.activeElement);
     this.place.replaceChildren(make("section", {}, make("h2", { text: "Conflicts" }),
       make("p", { class: "soft", text: conflicts.length ? "Two graders decided differently about the same thing. Neither counts, and the mark is unsafe, until somebody says which one holds." : "No two graders contradict each other." })),
       ...conflicts.map((conflict) => this.card(conflict)));
+    if (had) this.place.focus({ preventScroll: true }); // what had the keyboard may be gone
   }
 
   /** @param {Conflict} conflict */
@@ -38,7 +40,7 @@ export class Conflicts {
     const row = conflict.student ? desk.rows.get(conflict.student) : undefined;
     const reason = make("input", { "aria-label": "Reason", placeholder: "Why this one holds", maxlength: 500, value: this.drafts.get(conflict.id) ?? "" });
     reason.addEventListener("input", () => this.drafts.set(conflict.id, reason.value));
-    const title = make("h3", {}, row ? `${row.name}: ` : "", conflict.about);
+    const title = make("h3", {}, ...(row ? [`${row.name}: ${conflict.about}`] : prose(conflict.sentence)));
     const decide = async (/** @type {string} */ keep, /** @type {string} */ sentence) => {
       if (!reason.value.trim()) {
         missing(reason, "Give a reason: it is kept with the decision.");

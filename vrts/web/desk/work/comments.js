@@ -76,7 +76,9 @@ export class Comments {
   fill() {
     const lines = this.desk.detail?.source?.lines.length ?? 0;
     const loose = (this.desk.detail?.comments ?? []).filter((comment) => !comment.line || comment.line > lines);
+    const had = this.list.contains(document.activeElement);
     this.list.replaceChildren(...loose.map((comment) => spoken(this.desk, comment, (time) => this.replay.show(time))));
+    if (had) this.text.focus({ preventScroll: true }); // the comment that was taken back is gone
   }
 
   /** Say where a comment would stand. */

@@ -44,7 +44,7 @@ export class Head {
     link(this.report, detail?.report);
     link(this.sent, detail?.sent);
     this.chips.replaceChildren(...this.tags(row));
-    byId("heard").textContent = `${row.name}, ${row.excused ? "excused" : `${mark(row.final)} of ${row.total ?? total}`}${row.unsafe.length ? ", unsafe" : ""}`;
+    write(byId("heard"), `${row.name}, ${row.excused ? "excused" : `${mark(row.final)} of ${row.total ?? total}`}${row.unsafe.length ? ", unsafe" : ""}`);
   }
 
   /** @param {import("../types.js").Row} row @returns {HTMLElement[]} */

@@ -18,6 +18,7 @@ export class Reasons {
     this.replay = replay;
     this.source = source;
     this.bulk = bulk;
+    this.of = "";
     this.lost = make("div", {});
     this.checks = make("div", {});
     this.history = make("div", {});
@@ -28,15 +29,18 @@ export class Reasons {
   }
 
   fill() {
-    const { detail } = this.desk;
-    for (const one of [this.lost, this.checks, this.history]) {
-      one.replaceChildren();
-      one.scrollTop = 0;
-    }
+    const { detail, chosen } = this.desk;
+    const panels = [this.lost, this.checks, this.history];
+    const had = panels.find((one) => one.contains(document.activeElement));
+    const tops = panels.map((one) => (this.of === chosen ? one.scrollTop : 0));
+    for (const one of panels) one.replaceChildren();
+    had?.focus({ preventScroll: true }); // the button that was pressed is another one now
     if (!detail) return;
+    this.of = chosen;
     this.lost.append(...this.doubts(detail), ...this.losses(detail), ...steps(detail), ...this.alike(detail), ...attempts(detail));
     this.checks.append(...checks(detail), ...findings(detail, (line, time_s) => this.jump(line, time_s)));
     this.history.append(...this.past(detail));
+    panels.forEach((one, k) => (one.scrollTop = tops[k]));
   }
 
   /** @param {import("../types.js").Detail} detail */

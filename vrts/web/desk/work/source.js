@@ -36,7 +36,7 @@ export class Source {
   fill() {
     const { detail } = this.desk;
     const top = this.of === this.desk.chosen ? this.list.scrollTop : 0;
-    const had = this.list.contains(document.activeElement) ? this.desk.line : null;
+    const had = this.of === this.desk.chosen && this.list.contains(document.activeElement);
     this.clear();
     this.of = this.desk.chosen;
     if (!detail?.source) {
@@ -60,7 +60,7 @@ export class Source {
     this.tabStop(this.desk.line ?? first ?? 1);
     if (!top && first) this.reveal(first);
     this.light();
-    if (had) this.numberOf(had)?.focus({ preventScroll: true });
+    if (had) /** @type {HTMLElement | null} */ (this.list.querySelector("button.n[tabindex='0']"))?.focus({ preventScroll: true });
   }
 
   /** Light the line that runs, and the one that was chosen. */
