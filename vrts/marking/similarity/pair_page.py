@@ -186,7 +186,7 @@ def _replays(sides: tuple[Side, Side]) -> Markup | None:
         "section",
         element("h2", "Both replays"),
         bar,
-        element("div", *columns, class_="sides"),
+        element("div", *columns, class_="sides replays"),
         element("div", *links, class_="sides"),
     )
 
@@ -204,7 +204,6 @@ def _marks(evidence: Sequence[Evidence]) -> tuple[dict[int, list[int]], dict[int
 def _sources(
     sides: tuple[Side, Side], marks: tuple[Mapping[int, list[int]], Mapping[int, list[int]]]
 ) -> Markup:
-    heads = [element("div", element("h3", one_line(side.label))) for side in sides]
     columns = [
         _source(side, lines, letter)
         for side, lines, letter in zip(sides, marks, ("a", "b"), strict=True)
@@ -213,8 +212,7 @@ def _sources(
         "section",
         element("h2", "Both programs"),
         element("p", "A number beside a line leads to what both have there.", class_="where"),
-        element("div", *heads, class_="sides heads"),
-        element("div", *columns, class_="sides"),
+        element("div", *columns, class_="sides replays"),
     )
 
 
@@ -228,8 +226,8 @@ def _source(side: Side, marks: Mapping[int, list[int]], letter: str) -> Markup:
         element(
             "tr",
             element("td", str(number), class_="line"),
-            element("td", element("code", shown(text).text)),
             element("td", *_numbers(marks.get(number, ())), class_="marks"),
+            element("td", element("code", shown(text).text)),
             id=f"{letter}{number}",
             class_="shared" if number in marks else None,
         )
@@ -240,7 +238,7 @@ def _source(side: Side, marks: Mapping[int, list[int]], letter: str) -> Markup:
     table = element("table", element("tbody", *rows), class_="code")
     name = f"Program of {one_line(side.label)}"
     whole = element("div", table, class_="whole", role="region", tabindex="0", aria_label=name)
-    return element("div", whole, left)
+    return element("div", element("h3", one_line(side.label)), whole, left)
 
 
 def _numbers(numbers: Sequence[int]) -> list[Markup]:
