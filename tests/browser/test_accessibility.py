@@ -13,7 +13,10 @@ from tests.support_runs import CONTACT_S
 from tests.unit.marking.similarity.support import ORIGINAL
 from tests.unit.report.test_audience import disputed
 from vrts.marking.overview.page import overview_page
+from vrts.marking.similarity.evidence import Evidence
+from vrts.marking.similarity.groups import Group, Link
 from vrts.marking.similarity.page import similarity_page
+from vrts.marking.similarity.pair_page import Side, pair_page
 from vrts.marking.similarity.ranking import similarity
 from vrts.report.audience import Audience
 from vrts.report.page.page import page
@@ -22,6 +25,18 @@ from vrts.report.page.stills import contact_name
 pytestmark = pytest.mark.browser
 
 PHONE = 390  # [px]
+
+
+def a_pair() -> str:
+    """Return the page of two programs that share something."""
+    link = Link("anna", "ben", 0.9, "strong")
+    evidence = (Evidence("motion", "the tool stops at the same point", 3.2, 0, 2, 3),)
+    group = Group(("anna", "ben", "cara"), 0.9, "strong", 0.01, (link,), evidence)
+    sides = (
+        Side("anna", "Anna", ORIGINAL.encode(), "data:text/html,<title>Replay</title>"),
+        Side("ben", "Ben", ORIGINAL.encode(), None),
+    )
+    return pair_page(link, group, evidence, sides, "Group 3")
 
 
 def write(folder: Path, name: str) -> Path:
@@ -35,6 +50,7 @@ def write(folder: Path, name: str) -> Path:
         "broken": lambda: page(broken(), {}),
         "overview": lambda: overview_page(some_class(20), similarity="similarity.html"),
         "similarity": lambda: similarity_page(similarity(programs), programs, "Group 3"),
+        "pair": a_pair,
     }
     path = folder / f"{name}.html"
     path.write_text(texts[name](), encoding="utf-8")
@@ -44,7 +60,7 @@ def write(folder: Path, name: str) -> Path:
 ESSENTIAL = [(1280, False), (PHONE, True)]
 ALL_LOOKS = [(width, dark) for width in (1280, PHONE) for dark in (False, True)]
 # a student's page is a part of a grader's
-PAGES = ("student", "grader", "broken", "overview", "similarity")
+PAGES = ("student", "grader", "broken", "overview", "similarity", "pair")
 
 
 @pytest.mark.parametrize(

@@ -36,6 +36,20 @@ __all__ = ["PATCHES", "Patch"]
 
 PATCHES: tuple[Patch, ...] = (
     Patch(
+        "a FOR that was written as a WHILE, and calls, hide a copy",
+        "vrts/marking/similarity/features/steps.py",
+        "            if isinstance(one, Call) and self._goes_in(one, inner):",
+        "            if isinstance(one, Call) and not self._goes_in(one, inner):",
+        ("tests/unit/marking/similarity/test_features.py",),
+    ),
+    Patch(
+        "programs that hang together by a chain alone are a group",
+        "vrts/marking/similarity/weighing/grouping.py",
+        "        if not fits or min(between) < LEAST_LINK * strongest:",
+        "        if fits is None:",
+        ("tests/unit/marking/similarity/test_likeness.py",),
+    ),
+    Patch(
         "students are handed the README as it lies in the folder, whatever the task says",
         "vrts/cli/authoring/task_command.py",
         "    files.public[NAME] = readme_to_hand_out(_folder(folder), load_task(folder))",

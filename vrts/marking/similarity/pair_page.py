@@ -225,7 +225,7 @@ def _source(side: Side, marks: Mapping[int, list[int]], letter: str) -> Markup:
     rows = [
         element(
             "tr",
-            element("td", str(number), class_="line"),
+            element("th", str(number), class_="line", scope="row"),
             element("td", *_numbers(marks.get(number, ())), class_="marks"),
             element("td", element("code", shown(text).text)),
             id=f"{letter}{number}",
