@@ -3,6 +3,7 @@
 import errno
 import socket
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 from types import FrameType
 from typing import Final
@@ -33,7 +34,7 @@ def serve_desk(
     say: Callable[[str], None],
     open_link: Callable[[str], None],
 ) -> None:
-    """Serve until interrupted.
+    """Serve until interrupted; then what is still to be written is written.
 
     Args:
         folder: The output of a marking.
@@ -74,7 +75,8 @@ def serve_desk(
             proxy_headers=False,
             timeout_graceful_shutdown=5,
         )
-        _Server(config, events).run(sockets=[listener])
+        with suppress(KeyboardInterrupt):  # how it ends
+            _Server(config, events).run(sockets=[listener])
 
 
 class _Server(uvicorn.Server):

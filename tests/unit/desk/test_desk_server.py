@@ -40,6 +40,7 @@ def test_only_who_has_the_address_on_this_machine_comes_in(layout: Layout) -> No
         assert "-1/2" not in (layout.decisions / "huber.jsonl").read_text().split("\n", 3)[3]
 
 
+@pytest.mark.thorough
 def test_files_are_those_of_the_class_and_run_in_a_sandbox(layout: Layout) -> None:
     (layout.grader("s0001") / "result.json").write_text("{}")
     (layout.grader("s0002") / "report.html").unlink()
@@ -117,6 +118,7 @@ def test_decisions_are_written_all_or_none_about_what_was_shown(layout: Layout) 
         assert history["huber:11"] == undone.json["added"][0]
 
 
+@pytest.mark.thorough
 def test_what_was_acknowledged_survives_kill_9(layout: Layout) -> None:
     desk = DeskServer(layout.root)
     names = [
