@@ -1577,6 +1577,20 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/marking/by_hand/test_overrides.py",),
     ),
     Patch(
+        "of graders who differ the first counts",
+        "vrts/marking/by_hand/decisions/settled.py",
+        "        return Settled((), None, tuple(records))",
+        "        return Settled(tuple(records[:1]))",
+        ("tests/unit/marking/by_hand/test_decisions.py",),
+    ),
+    Patch(
+        "students read private comments",
+        "vrts/marking/by_hand/graded.py",
+        "if isinstance(said, Comment) and not said.private:",
+        "if isinstance(said, Comment):",
+        ("tests/unit/marking/by_hand/test_graded.py",),
+    ),
+    Patch(
         "a file from elsewhere counts as one of Canvas",
         "vrts/marking/intake/tables/edited_table.py",
         "return any(flags) if flags and None not in flags else None",
