@@ -10,6 +10,7 @@ from vrts.marking.appeals.written import read_class, read_written
 from vrts.marking.by_hand.by_hand import ByHand, all_lapses, rows_by_hand
 from vrts.marking.class_files import write_class
 from vrts.marking.exports.earlier_marks import with_times_judged
+from vrts.marking.exports.numbers import decimal
 from vrts.marking.exports.write import is_name, write_feedback
 from vrts.marking.layout import Layout, write_atomically
 from vrts.marking.renewing.section import with_section
@@ -87,6 +88,12 @@ def write_sections(
             if place.is_symlink() or not place.is_file():
                 continue
             page = place.read_bytes()
-            after = with_section(page, row.decided, staff=staff)
+            after = with_section(page, row.decided, staff=staff, final=_final(row))
             if after != page:
                 write_atomically(place, after)
+
+
+def _final(row: Row) -> str:
+    final = row.exact_final
+    of_all = decimal(row.result.exact_total)
+    return "" if final is None else f"{decimal(final, least=1)} of {of_all}"

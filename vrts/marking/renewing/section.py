@@ -20,16 +20,17 @@ END_OF_NAVIGATION = b"</nav>"
 REPLAY = b'id="replay"'
 
 
-def with_section(page: bytes, decided: Decided | None, *, staff: bool) -> bytes:
+def with_section(page: bytes, decided: Decided | None, *, staff: bool, final: str = "") -> bytes:
     """Return a page with the section of these decisions, and no other.
 
     Args:
         page: As marking wrote it, or as this has returned it.
         decided: About the submission; None: nothing.
         staff: Whether it is for those who mark: they also see what is in conflict or has lapsed.
+        final: The final mark, told where graders changed the computed one; "": there is none.
     """
     plain = _without(page)
-    section = "" if decided is None else _section(_Page(plain), decided, staff=staff)
+    section = "" if decided is None else _section(_Page(plain), decided, final, staff=staff)
     if not section:
         return plain
     place = plain.find(NAVIGATION)
@@ -64,13 +65,15 @@ class _Page:
             yield " "
 
 
-def _section(page: _Page, decided: Decided, *, staff: bool) -> Markup | str:
+def _section(page: _Page, decided: Decided, final: str, *, staff: bool) -> Markup | str:
     items = [_item(page, item) for item in decided.items]
     items += [_comment(page, comment) for comment in decided.comments]
     if decided.excused:
         items.append(element("li", f"Excused: {one_line(decided.excused)}"))
     if decided.due:
         items.append(element("li", f"Time until {due_words(decided.due)}"))
+    if final and decided.steps:
+        items.append(element("li", element("b", f"Final mark: {final}")))
     if staff:
         told = (*decided.conflicts, *decided.lapsed)
         items += [element("li", element("b", "Not settled: "), one_line(text)) for text in told]

@@ -77,6 +77,7 @@ def test_everything_follows_and_goes_back_again(tmp_path: Path) -> None:
         page = (home / REPORT).read_bytes()
         assert b"&lt;script&gt;alert(1)" in page
         assert b"<script>alert(1)" not in page
+        assert b"<b>Final mark: " in page
     (row,) = (row for row in graded(layout) if row.id == anna.id)
     assert row.exact_final == max(0, (anna.exact_final or 0) * 2 - 1) / 2
     after = everything(layout)
