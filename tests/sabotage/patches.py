@@ -3133,6 +3133,21 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/marking/test_marking.py",),
     ),
     Patch(
+        "students get the ranges of all variants",
+        "vrts/check/variants/files.py",
+        "[(SECTION,)] if word == TASK else ()",
+        "()",
+        ("tests/unit/assignments/variants/test_handed_out.py",),
+    ),
+    Patch(
+        "everybody is marked by the task as it is written, and not by the own variant",
+        "vrts/marking/variants/marker.py",
+        'return self.by(self.tags.get(identifier, ""))',
+        'return self.by("")',
+        ("tests/unit/marking/variants/test_class_with_variants.py",),
+        thorough=True,
+    ),
+    Patch(
         "answers of workers are in another order than the things",
         "vrts/base/workers.py",
         "yield from self._in_order(ask, things, crew)",
