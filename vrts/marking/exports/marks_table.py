@@ -39,6 +39,7 @@ COLUMNS = (
     "unsafe",  # behind all else: some read the columns by place
     "items",
     "comments",
+    "variant",
 )
 
 
@@ -107,3 +108,4 @@ def _fields(row: Row, point: str, delimiter: str) -> Iterator[str]:
     told = () if row.decided is None else row.decided.comments
     yield text("; ".join(f"{item.title} {number(Fraction(item.points))}" for item in items))
     yield text("; ".join(f"{place_of(c.line, c.time_s)}{c.text}" for c in told))
+    yield "" if result.variant is None else text(result.variant.tag)
