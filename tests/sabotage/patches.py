@@ -36,6 +36,20 @@ __all__ = ["PATCHES", "Patch"]
 
 PATCHES: tuple[Patch, ...] = (
     Patch(
+        "a mark that has changed since the desk showed it is decided all the same",
+        "vrts/desk/desk.py",
+        "            _require_still(rests_on(asked), shown, facts_of(before.book))",
+        "            _require_still(rests_on(()), shown, facts_of(before.book))",
+        ("tests/unit/desk/test_desk_server.py",),
+    ),
+    Patch(
+        "whoever is on this machine comes to the desk",
+        "vrts/desk/front/door.py",
+        "    return len(given) <= LONGEST and hmac.compare_digest(given.encode(), right.encode())",
+        "    return hmac.compare_digest(right.encode(), right.encode())",
+        ("tests/unit/desk/test_desk_server.py",),
+    ),
+    Patch(
         "a FOR that was written as a WHILE, and calls, hide a copy",
         "vrts/marking/similarity/features/steps.py",
         "            if isinstance(one, Call) and self._goes_in(one, inner):",
