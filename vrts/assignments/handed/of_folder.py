@@ -3,6 +3,7 @@
 from pathlib import Path
 
 from vrts.assignments.handed.facts import Fact, facts_of
+from vrts.assignments.handed.first_ones import first_ones
 from vrts.assignments.handed.from_network import network_findings
 from vrts.assignments.handed.prose import contradictions
 from vrts.assignments.handed.readme import NAME, differences, marker_findings, part_of, written
@@ -14,6 +15,7 @@ from vrts.check.task.task import Task
 from vrts.pipeline.files import CannotRead, member_bytes, shown
 from vrts.pipeline.refused import Refused
 from vrts.pipeline.setting import Setting
+from vrts.pipeline.settings import load_task
 from vrts.report.plain import one_line
 
 LARGEST = 1_000_000  # bytes
@@ -28,7 +30,7 @@ def readme_to_hand_out(folder: Path, public: Setting) -> bytes:
 
     Raises:
         CannotRead: It is no text, or too large.
-        Refused: The markers of its part are not sound.
+        Refused: The markers of its part are not sound, or the hidden part has errors.
     """
     task = public.task
     assert task is not None
@@ -40,7 +42,8 @@ def readme_to_hand_out(folder: Path, public: Setting) -> bytes:
         wrong = marker_findings(SourceFile(shown(folder / NAME), text.replace("\r\n", "\n")))
     if wrong:
         raise Refused(wrong)
-    return written(text, task_words(task, public.scene)).encode()
+    words = task_words(task, public.scene, hidden=_has_more(folder))
+    return written(text, words).encode()
 
 
 def handed_findings(folder: Path, public: Setting) -> tuple[Diagnostic, ...]:
@@ -55,7 +58,8 @@ def handed_findings(folder: Path, public: Setting) -> tuple[Diagnostic, ...]:
     """
     task = public.task
     assert task is not None
-    words, facts = task_words(task, public.scene), facts_of(task, public.scene)
+    words = task_words(task, public.scene, hidden=_has_more(folder))
+    facts = facts_of(task, public.scene)
     found = [*_of_description(public, facts), *network_findings(folder, task)]
     text = _text(folder / NAME)
     if text is None:
@@ -66,7 +70,17 @@ def handed_findings(folder: Path, public: Setting) -> tuple[Diagnostic, ...]:
         return (*found, *wrong)
     part = part_of(source.text)
     without = None if part is None else (part.start, part.end)
-    return (*found, *differences(source, words, folder), *contradictions(source, facts, without))
+    return (
+        *found,
+        *first_ones(differences(source, words, folder), "line"),
+        *first_ones(contradictions(source, facts, without), "number"),
+    )
+
+
+def _has_more(folder: Path) -> bool:
+    """Return whether marking has hidden checks: in `staff`, or announced by a packed task."""
+    whole = load_task(folder, staff=True)
+    return whole.hidden > 0 or whole.more > 0
 
 
 def _made(folder: Path, task: Task) -> SourceFile:
@@ -85,7 +99,7 @@ def _of_description(public: Setting, facts: tuple[Fact, ...]) -> tuple[Diagnosti
     span = section.value_span("description")
     blank = "".join("\n" if c == "\n" else " " for c in source.text[: span.start])
     inside = SourceFile(source.name, blank + source.text[span.start : span.end])
-    return tuple(contradictions(inside, facts, called="the `description`"))
+    return tuple(first_ones(contradictions(inside, facts, called="the `description`"), "number"))
 
 
 def _text(path: Path) -> str | None:

@@ -32,12 +32,13 @@ TOLD = {
 }
 
 
-def task_words(task: Task, scene: Scene) -> str:
+def task_words(task: Task, scene: Scene, *, hidden: bool = False) -> str:
     """Return what counts in the public part of a task, as Markdown.
 
     Args:
         task: Without its hidden part.
         scene: That it is set in.
+        hidden: Whether marking has more checks, which are not told.
     """
     scheme = task.mark
     for_goals, for_vias = divided(scheme, targets=bool(task.targets), vias=bool(task.vias))
@@ -49,7 +50,7 @@ def task_words(task: Task, scene: Scene) -> str:
         ("### What costs points", "", _bullets(_costs(scheme))),
         ("### Speed", "", (_speed(task),)),
         ("### The exam", "", _bullets(exam_words(task))),
-        ("### What else is so", "", _bullets(_rest(task))),
+        ("### What else is so", "", _bullets(_rest(task, hidden=hidden))),
     ]
     return "\n".join(_section(*part) for part in parts if part[-1])
 
@@ -197,7 +198,7 @@ def _speed(task: Task) -> str:
     )
 
 
-def _rest(task: Task) -> Iterator[str]:
+def _rest(task: Task, *, hidden: bool) -> Iterator[str]:
     locks = task.locks
     if locks.names:
         yield f"a program may not set {', '.join(f'`{name}`' for name in locks.names)}"
@@ -211,7 +212,8 @@ def _rest(task: Task) -> Iterator[str]:
     elif task.late is not None and not exam:
         yield "of several hand-ins, the latest counts"
     yield TOLD[task.hints]
-    yield "marking may have more checks, which share these points; `vrts grade` says how many"
+    if hidden:
+        yield "marking has more checks, which share these points; `vrts grade` says how many"
 
 
 def _late(late: LateRules) -> Iterator[str]:

@@ -70,7 +70,7 @@ def handed_out(
     told = tuple(contradictions(SourceFile(README, page), facts_of(public.task, scene)))
     if not page:
         page = f"# {public.task.title}\n\n{public.task.description}\n"
-    page = written(page, task_words(public.task, scene))
+    page = written(page, task_words(public.task, scene, hidden=varied.base.hidden > 0))
     files[README] = with_part(page, your_numbers(scene, variant.tag, names)).encode()
     files[START] = _start(varied, public, given, variant.tag)
     data = student_zip(varied.files._replace(public=files), varied.base.hidden, versions)

@@ -5,16 +5,19 @@ import shutil
 import zipfile
 from fractions import Fraction
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from tests.places import ROOT
 from tests.support_commands import vrts_text
+from vrts.assignments.handed import prose
 from vrts.assignments.handed.facts import Fact
 from vrts.assignments.handed.of_folder import handed_findings, readme_to_hand_out
 from vrts.assignments.handed.prose import contradictions, said
 from vrts.assignments.handed.readme import BEGIN, END, written
 from vrts.assignments.handed.task_words import task_words
+from vrts.base.diagnostic import Diagnostic, warning
 from vrts.base.source import SourceFile
 from vrts.pipeline.files import CannotRead
 from vrts.pipeline.refused import Refused
@@ -350,3 +353,37 @@ def test_check_tells_write_mends_and_pack_writes_anew(folder: Path) -> None:
     mended = vrts_text("task", "check", folder.name, "--write", cwd=folder.parent)
     assert (mended.stderr.count("V684"), mended.stderr.count("V686")) == (0, 1)
     assert readme.read_text() == handed
+
+
+def test_ten_thousands_of_contradictions_are_told_shortly(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = tmp_path / "lab"
+    shutil.copytree(ROOT / "examples" / "01-cans-on-bases", folder)
+    page = (folder / "README.md").read_text()
+    (folder / "README.md").write_text((page + "Set it within 11 mm, please.\n" * 40_000)[:999_000])
+    made: list[Diagnostic] = []
+
+    def counted(*words: Any, **more: Any) -> Diagnostic:
+        made.append(warning(*words, **more))
+        return made[-1]
+
+    monkeypatch.setattr(prose, "warning", counted)
+    found = handed_findings(folder, load_task(folder))
+    assert len(found) == 21
+    assert len(made) == 1020  # of the others none is looked at
+    assert found[-1].headline == "there are 1,000 or more numbers like these"
+
+
+def test_a_page_says_that_more_is_checked_where_it_is(tmp_path: Path) -> None:
+    folder = tmp_path / "lab"
+    shutil.copytree(ROOT / "examples" / "01-cans-on-bases", folder)
+    shutil.rmtree(folder / "staff", ignore_errors=True)
+    assert "more checks" not in readme_to_hand_out(folder, load_task(folder)).decode()
+    (folder / "staff").mkdir()
+    (folder / "staff" / "task.toml").write_text(
+        '[[via]]\nname = "high above"\nat_mm = [900, 0, 317]\nradius_mm = 291\n'
+    )
+    assert "marking has more checks" in readme_to_hand_out(folder, load_task(folder)).decode()
+    found = handed_findings(folder, load_task(folder))
+    assert any("does not say: - marking has" in d.headline for d in found)
