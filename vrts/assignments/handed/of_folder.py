@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+from vrts.assignments.handed.comments import comment_findings
 from vrts.assignments.handed.facts import Fact, facts_of
 from vrts.assignments.handed.first_ones import first_ones
 from vrts.assignments.handed.from_network import network_findings
@@ -60,7 +61,8 @@ def handed_findings(folder: Path, public: Setting) -> tuple[Diagnostic, ...]:
     assert task is not None
     words = task_words(task, public.scene, hidden=_has_more(folder))
     facts = facts_of(task, public.scene)
-    found = [*_of_description(public, facts), *network_findings(folder, task)]
+    found = [*_of_description(public, facts), *comment_findings(folder, facts)]
+    found += [*network_findings(folder, task)]
     text = _text(folder / NAME)
     if text is None:
         return (*found, *marker_findings(_made(folder, task)))

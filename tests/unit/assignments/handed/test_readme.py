@@ -326,8 +326,8 @@ def test_a_description_is_held_against_the_task_too(folder: Path) -> None:
     task.write_text(text)
     (folder / "README.md").unlink()
     line = next(n for n, row in enumerate(text.splitlines(), 1) if row.startswith("Within 4 mm"))
-    assert codes(folder) == [("V686", line)]
-    assert len(list(said(text))) == 2  # the comment above it is not handed over as words
+    assert codes(folder) == [("V686", line), ("V686", 1)]  # the comment on top says it, too
+    assert len(list(said(text))) == 2
 
 
 def test_check_tells_write_mends_and_pack_writes_anew(folder: Path) -> None:
@@ -387,3 +387,20 @@ def test_a_page_says_that_more_is_checked_where_it_is(tmp_path: Path) -> None:
     assert "marking has more checks" in readme_to_hand_out(folder, load_task(folder)).decode()
     found = handed_findings(folder, load_task(folder))
     assert any("does not say: - marking has" in d.headline for d in found)
+
+
+def test_comments_that_students_read_are_held_against_the_task(tmp_path: Path) -> None:
+    folder = tmp_path / "lab"
+    shutil.copytree(ROOT / "examples" / "01-cans-on-bases", folder)
+    task = (folder / "task.toml").read_text()
+    (folder / "task.toml").write_text(task + "\n# Put it within 77 mm, please.\n# within 10 mm\n")
+    start = '; the can has to be within 88 mm\n.PROGRAM main\n TYPE "x; within 66 mm"\n.END\n'
+    (folder / "start.v2").write_text(start)
+    found = [d for d in handed_findings(folder, load_task(folder)) if d.rule.code == "V686"]
+    said = [d.headline for d in found]
+    assert len(said) == 2, said
+    assert "task.toml` says 77 mm" in said[0]
+    assert "start.v2` says 88 mm" in said[1]
+    span = found[1].primary
+    assert span is not None
+    assert span.span.source.text == start
