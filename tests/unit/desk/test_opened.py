@@ -7,9 +7,12 @@ import pytest
 from msgspec.structs import replace
 
 from tests.support_desk import about_of, write_desk_class
+from vrts.desk.adding.asked import Body
 from vrts.desk.again.asked import again
 from vrts.desk.book.opened import open_marking
 from vrts.desk.book.shelf import Shelf
+from vrts.desk.desk import Desk
+from vrts.desk.told import GraderTold
 from vrts.marking.about import to_bytes
 from vrts.marking.layout import Layout
 from vrts.pipeline.files import CannotRead
@@ -87,3 +90,15 @@ def test_a_task_or_submissions_that_have_moved_are_told(layout: Layout, tmp_path
             again(one, layout, 1)
         assert caught.value.diagnostics[0].rule.code == "V854"
         assert "nowhere" in caught.value.diagnostics[0].headline
+
+
+def test_two_whose_names_look_alike_have_a_file_each(layout: Layout) -> None:
+    """Both desks begin before either has decided anything, and take the same id."""
+    first, second = (Desk(layout.root, GraderTold("a-b", name)) for name in ("A. B", "A/B"))
+    for desk, number in ((first, 1), (second, 1), (second, 2)):
+        words = {"does": "comment", "student": "s0001", "text": desk.me.name}
+        added = desk.add(Body([words], desk.now().revision))
+        assert added.added == (f"{desk.me.id}:{number}",)
+    assert (first.me.id, second.me.id) == ("a-b", "a-b-2")
+    told = second.now().book.decided.of("s0001").comments
+    assert {one.text: one.mine for one in told} == {"A. B": False, "A/B": True}

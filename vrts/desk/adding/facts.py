@@ -7,7 +7,7 @@ from typing import Final, NamedTuple
 from vrts.desk.book.book import Book, found_out
 from vrts.marking.by_hand.overrides import program_of
 
-KEPT: Final = 64  # states
+KEPT: Final = 32  # states
 
 
 class Fact(NamedTuple):

@@ -72,6 +72,12 @@ class Shelf:
                 )
             return self._book
 
+    def seen_by(self, me: str) -> None:
+        """Look with the eyes of a grader of another id from now on."""
+        with self._lock:
+            self._me = me
+            self._book = self._decided()
+
     def _decided(self) -> Book:
         opened: Opened = self._opened
         rows, decided, told = decide(opened, self._me)
