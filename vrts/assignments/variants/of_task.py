@@ -26,6 +26,7 @@ from vrts.check.variants.files import (
     SCENE,
     STAFF,
     TASK,
+    cut,
     path_findings,
     varied,
     without_names,
@@ -113,7 +114,14 @@ class VariedTask:
 
     def for_students(self, combination: Combination) -> dict[str, bytes]:
         """Return the public files of a variant; names for staff are not in the scene's file."""
-        files = self.of(combination).public
+        return self._without_names(self.of(combination).public)
+
+    def as_written(self) -> dict[str, bytes]:
+        """Return the public files of the task as it is written, without what is for staff."""
+        text = cut(self.sources[TASK]).encode()
+        return self._without_names({**self.files.public, self.names[TASK]: text})
+
+    def _without_names(self, files: dict[str, bytes]) -> dict[str, bytes]:
         names = self.variants.staff_names
         if names:
             scene = self.names[SCENE]

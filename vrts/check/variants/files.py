@@ -84,6 +84,11 @@ def varied(
     }
 
 
+def cut(task: SourceFile) -> str:
+    """Return the text of a task without `[variants]`."""
+    return edited(task, (), [(SECTION,)])
+
+
 def without_names(scene: SourceFile, names: tuple[str, ...]) -> str:
     """Return the text of a scene without its own locations of some names."""
     return edited(scene, (), tuple(_named(scene, names)))

@@ -23,6 +23,7 @@ from vrts.cli.shared.options import color_option, file_option, jobs_option, lab_
 
 if TYPE_CHECKING:
     from vrts.assignments.task_check import TaskCheck
+    from vrts.assignments.task_folder import TaskFiles
     from vrts.base.diagnostic import Diagnostic
     from vrts.pipeline.setting import Setting
 
@@ -139,7 +140,7 @@ def pack(folder: Path, target: Path, versions: tuple[str, ...], color: str) -> N
     files.public[NAME] = readme_to_hand_out(_folder(folder), load_task(folder))
     told = _told(_folder(folder))
     show_diagnostics([d for d in told if d.rule is not DIFFERS], color)  # the rest is mended here
-    student = student_zip(files, setting.hidden, versions)
+    student = student_zip(_for_students(files, setting, folder), setting.hidden, versions)
     staff = staff_zip(files, setting.hidden, versions)
     target.mkdir(parents=True, exist_ok=True)
     for data, audience, count in (
@@ -158,6 +159,20 @@ def pack(folder: Path, target: Path, versions: tuple[str, ...], color: str) -> N
 
 
 command.add_command(variants)
+
+
+def _for_students(files: "TaskFiles", setting: "Setting", folder: Path) -> "TaskFiles":
+    """Return the files of a task without `[variants]`, which is for staff."""
+    if setting.task is None or setting.task.variants is None:
+        return files
+    from vrts.assignments.handed.readme import NAME as README
+    from vrts.assignments.variants.of_task import load_varied
+
+    say("note: students get the task as it is written; `vrts task variants` gives each an own one")
+    written = load_varied(folder).as_written()
+    return files._replace(
+        public={**files.public, **{n: written[n] for n in written if n != README}}
+    )
 
 
 def _folder(path: Path) -> Path:

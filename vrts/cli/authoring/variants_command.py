@@ -95,7 +95,8 @@ def command(
         write_file(target / MOODLE, handed.moodle)
     count = len(handed.files)
     students = "1 student" if count == 1 else f"{count} students"
-    out(f"{target / STUDENTS}: zips for {students}, {handed.variants} variants of them different")
+    different = "1 variant" if handed.variants == 1 else f"{handed.variants} different variants"
+    out(f"{target / STUDENTS}: zips for {students}, {different}")
     out(f"{target / TABLE}: who has which; not for students")
     if handed.moodle is not None:
         out(f"{target / MOODLE}: all zips, to be uploaded as feedback files")
