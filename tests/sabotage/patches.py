@@ -3389,4 +3389,18 @@ PATCHES: tuple[Patch, ...] = (
         "copy.with_suffix('')",
         ("tests/unit/live/store/test_migrations.py",),
     ),
+    Patch(
+        "the desk believes every window about what its replay shows",
+        "vrts/web/desk/frame.js",
+        "if (!this.frame || event.source !== this.frame.contentWindow) return;",
+        "if (!this.frame) return;",
+        ("tests/browser/test_desk_page.py",),
+    ),
+    Patch(
+        "keys of the desk give marks while somebody types",
+        "vrts/web/desk/keys.js",
+        'if (target.matches("textarea, select,',
+        'if (target.matches("select,',
+        ("tests/browser/test_desk_page.py",),
+    ),
 )
