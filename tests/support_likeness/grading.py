@@ -1,8 +1,11 @@
 """A class marked by `vrts grade`, and what it then calls alike."""
 
 import shutil
+import subprocess
+import sys
 from collections.abc import Sequence
 from pathlib import Path
+from resource import RUSAGE_CHILDREN, getrusage
 from time import monotonic
 from typing import NamedTuple
 
@@ -17,8 +20,8 @@ class Alike(NamedTuple):
     """What was found in a class."""
 
     groups: list[Group]
-    marked_s: float  # the whole call
-    again_s: float  # the same call, when all marks are there already
+    wall_s: float  # of a call when all marks are there already; 0: not measured
+    processor_s: float  # of the same
 
 
 def task_of(job: str, year: int, where: Path) -> Path:
@@ -45,17 +48,24 @@ def graded(
         where: Folder for everything.
         corpus: Other classes, by the name of their folder.
         words: More words for `vrts grade`.
-        again: Whether to call it once more, to see what likeness alone takes.
+        again: Whether to call it once more in a process of its own, to measure likeness alone.
     """
     task = task_of(whole.job, whole.year, where / "task")
     programs = whole.written(where / "class")
     call: list[object] = ["grade", task, programs, "-o", where / "out", "--no-pages", *words]
     for name, other in corpus:
         call += ["--corpus", other.written(where / name)]
-    took: list[float] = []
-    for _ in range(1 + again):
-        began = monotonic()
-        found = vrts_text(*call, "-q")
-        took.append(monotonic() - began)
-        assert found.returncode == 0, found.stderr[-2000:]
-    return Alike(groups_in(where / "out" / "staff" / "similarity.json"), took[0], took[-1])
+    found = vrts_text(*call, "-q")
+    assert found.returncode == 0, found.stderr[-2000:]
+    wall_s, processor_s = measured(call) if again else (0.0, 0.0)
+    return Alike(groups_in(where / "out" / "staff" / "similarity.json"), wall_s, processor_s)
+
+
+def measured(call: list[object]) -> tuple[float, float]:
+    """Return the time that a call takes, and that of all processors."""
+    began, before = monotonic(), getrusage(RUSAGE_CHILDREN)
+    vrts = str(Path(sys.executable).with_name("vrts"))
+    subprocess.run([vrts, *map(str, call)], check=True, capture_output=True)
+    after = getrusage(RUSAGE_CHILDREN)
+    spent = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    return monotonic() - began, spent

@@ -30,6 +30,7 @@ SINGLE: dict[str, Change] = {
 COMBINED, CHAIN, EARLIER = "combined", "chain", "earlier year"
 KINDS = (*SINGLE, COMBINED, CHAIN)
 DEEP = ("names", "layout")  # what one changes too who wants to hide a copy
+LEAST = {COMBINED: 4, EARLIER: 2}  # changes of one copy
 TRIES = 8
 WITHIN = 1.0  # [points] between a copy and its source
 
@@ -74,7 +75,7 @@ def copied(
         done = [name for name in changes if SINGLE[name](sheet, by)]
         if kind in SINGLE and kind not in done:
             return None
-        if kind == COMBINED and len(done) < 4:
+        if len(done) < LEAST.get(kind, 1):
             continue
         found = mark(sheet.text(), job)
         if abs(found.points - wanted) <= WITHIN and sheet.text() != source.text():
