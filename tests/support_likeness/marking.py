@@ -1,7 +1,7 @@
 """Marks programs in this process, as `vrts grade` marks them."""
 
 from collections import Counter
-from functools import cache
+from functools import cache, lru_cache
 from typing import NamedTuple
 
 from tests.support_likeness.scenes import Job, folder
@@ -26,6 +26,7 @@ def setting_of(task: str) -> Setting:
     return load(Place(task), staff=True)
 
 
+@lru_cache(maxsize=4096)
 def mark(text: str, job: Job) -> Mark:
     """Return the mark of a program."""
     found = assess(
