@@ -1,5 +1,5 @@
-"""Marks changed by hand: read from a file that marking never writes, and added to it.
+"""Marks changed by hand: read from files that marking never writes, and added to them.
 
-In: `overrides.toml`. Out: final marks beside the computed ones.
-Computes no mark.
+In: `overrides.toml` and graders' files. Out: rows with what is decided, beside what was computed.
+Judges no program.
 """
