@@ -62,6 +62,18 @@ PATCHES: tuple[Patch, ...] = (
         "        if not fits or min(between) < LEAST_LINK * strongest:",
         "        if fits is None:",
         ("tests/unit/marking/similarity/test_likeness.py",),
+        "an exam counts what came after it had closed",
+        "vrts/marking/intake/exam.py",
+        "rules.opens <= a.received <= closes",
+        "rules.opens <= a.received",
+        ("tests/unit/marking/intake/test_exam.py",),
+    ),
+    Patch(
+        "a variant that takes far longer than the others is as hard as they are",
+        "vrts/assignments/fair/uneven.py",
+        "if not low <= v <= high",
+        "if not low <= v",
+        ("tests/unit/assignments/fair/test_uneven.py",),
     ),
     Patch(
         "students are handed the README as it lies in the folder, whatever the task says",
