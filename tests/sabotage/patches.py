@@ -62,6 +62,8 @@ PATCHES: tuple[Patch, ...] = (
         "        if not fits or min(between) < LEAST_LINK * strongest:",
         "        if fits is None:",
         ("tests/unit/marking/similarity/test_likeness.py",),
+    ),
+    Patch(
         "an exam counts what came after it had closed",
         "vrts/marking/intake/exam.py",
         "rules.opens <= a.received <= closes",
