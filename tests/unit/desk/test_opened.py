@@ -102,3 +102,13 @@ def test_two_whose_names_look_alike_have_a_file_each(layout: Layout) -> None:
     assert (first.me.id, second.me.id) == ("a-b", "a-b-2")
     told = second.now().book.decided.of("s0001").comments
     assert {one.text: one.mine for one in told} == {"A. B": False, "A/B": True}
+
+
+def test_words_for_all_of_a_large_cause_go_together(layout: Layout) -> None:
+    desk = Desk(layout.root, GraderTold("huber", "R. Huber"))
+    words = [{"does": "comment", "student": "s0001", "text": f"number {k}"} for k in range(1000)]
+    added = desk.add(Body(words, desk.now().revision))
+    assert len(set(added.added)) == len(desk.now().book.decided.of("s0001").comments) == 1000
+    with pytest.raises(Refused):
+        desk.add(Body([*words, {"does": "comment", "student": "s9"}], desk.now().revision))
+    assert len(desk.now().book.decided.of("s0001").comments) == 1000

@@ -24,7 +24,7 @@ from vrts.pipeline.refused import Refused
 
 BAD_RECORD = Rule("V853", "no-such-decision")
 
-MOST: Final = 200  # records at a time
+MOST: Final = 5000  # records at a time: words for each of a large class
 _AGAIN: Final = "load the page again: it may be of another vrts"
 
 

@@ -88,7 +88,8 @@ class DeedPages:
         """End marking again; what is marked is kept."""
         if not self._marking.cancel():
             return refusal(409, "this desk is not marking")
-        return told(request, self._marking.told(self._desk.now().book.opened), 202)
+        book = (await asyncio.to_thread(self._desk.now)).book
+        return told(request, self._marking.told(book.opened), 202)
 
     async def _body(self, request: Request, kind: type[Asked]) -> Asked | Response:
         if not self._bucket.take(steady()):

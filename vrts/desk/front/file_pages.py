@@ -40,8 +40,8 @@ class FilePages:
         name = request.path_params["name"]
         if not _ALIKE.fullmatch(name):
             return _nothing()
-        staff = self._desk.now().book.opened.layout.staff
-        return await asyncio.to_thread(_file, staff / name)
+        book = (await asyncio.to_thread(self._desk.now)).book
+        return await asyncio.to_thread(_file, book.opened.layout.staff / name)
 
     def _report(self, request: Request, *, staff: bool) -> Response:
         book = self._desk.now().book
