@@ -1,6 +1,7 @@
 """Lists, feedback and pages of a class, brought up to date from files; nothing is marked."""
 
 from collections.abc import Collection, Mapping
+from contextlib import AbstractContextManager, nullcontext
 from typing import NamedTuple
 
 import msgspec
@@ -8,6 +9,7 @@ import msgspec
 from vrts.base.diagnostic import Diagnostic
 from vrts.marking.appeals.written import read_class, read_written
 from vrts.marking.by_hand.by_hand import ByHand, all_lapses, rows_by_hand
+from vrts.marking.by_hand.decisions.files import locked
 from vrts.marking.class_files import write_class
 from vrts.marking.exports.earlier_marks import with_times_judged
 from vrts.marking.exports.numbers import decimal
@@ -17,6 +19,8 @@ from vrts.marking.renewing.section import with_section
 from vrts.marking.row import Class, Decided, Row
 from vrts.marking.submission.report_files import REPORT
 from vrts.pipeline.refused import Refused
+
+LOCK = ".renewing"  # in the folder of decisions; nothing is in it
 
 
 class Renewed(NamedTuple):
@@ -42,6 +46,16 @@ def renewed(layout: Layout, again: Collection[str] = ()) -> Renewed:
         CannotRead: A file cannot be read.
         Refused: There is no such marking, or decisions have errors; nothing is written then.
     """
+    with _alone(layout):
+        return _renewed(layout, again)
+
+
+def _alone(layout: Layout) -> AbstractContextManager[None]:
+    """Return what holds the folder: several desks may bring it up to date at once."""
+    return locked(layout.decisions, LOCK) if layout.decisions.is_dir() else nullcontext()
+
+
+def _renewed(layout: Layout, again: Collection[str]) -> Renewed:
     written = read_written(layout.root)
     by_hand = written.by_hand()
     judged, said = with_times_judged(written.rows, written.about.place)

@@ -1,6 +1,7 @@
 """Lists, feedback and pages follow from decisions without marking; nothing foreign gets through."""
 
 import json
+from concurrent.futures import ThreadPoolExecutor
 from datetime import UTC, datetime
 from pathlib import Path
 
@@ -176,3 +177,13 @@ def test_wrong_calls_are_told_and_write_nothing(
     assert said.exit_code not in (HOLDS,)
     assert told in said.stderr
     assert sorted(path.read_bytes() for path in layout.decisions.iterdir()) == before
+
+
+def test_several_desks_may_bring_a_folder_up_to_date_at_once(tmp_path: Path) -> None:
+    layout = write_desk_class(tmp_path, 8, decisions=False)
+    for number, row in enumerate(graded(layout)):
+        add(layout, f"Grader {number}", Comment(0, "", row.id, "look"))
+    with ThreadPoolExecutor(4) as pool:
+        found = list(pool.map(renewed, [Layout(layout.root)] * 8))
+    assert sum(bool(one.changed) for one in found) == 1
+    assert renewed(layout).changed == ()

@@ -126,7 +126,7 @@ def add_decisions(
         flaw = flaw_of(one if one.at or now is None else _at(one, now))
         if flaw:
             raise Refused((error(UNSOUND, f"a decision cannot be written: {flaw}"),))
-    with _locked(folder):
+    with locked(folder, LOCK):
         grader = grader_in(folder, name)
         path = folder / f"{grader.id}{ENDING}"
         before = _bytes(path) if path.exists() else b""
@@ -202,11 +202,19 @@ def _sync_folder(folder: Path) -> None:
 
 
 @contextmanager
-def _locked(folder: Path) -> Generator[None]:
-    """Hold the folder for one writer of this machine; wait for another one, who takes moments."""
+def locked(folder: Path, name: str) -> Generator[None]:
+    """Hold a folder for one writer of this machine; wait for another one, who takes moments.
+
+    Args:
+        folder: It is made where it is not there.
+        name: Of the empty file in it that is locked.
+
+    Raises:
+        Refused: The folder cannot be written.
+    """
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        descriptor = os.open(folder / LOCK, os.O_RDWR | os.O_CREAT, 0o600)
+        descriptor = os.open(folder / name, os.O_RDWR | os.O_CREAT, 0o600)
     except OSError as problem:
         raise Refused((_not_written(folder, problem.strerror or "unwritable"),)) from problem
     try:
