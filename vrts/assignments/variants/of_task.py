@@ -156,6 +156,9 @@ def load_varied(path: Path) -> VariedTask:
     if variants is None:
         hint = "add `[variants]` to its `task.toml`: `vrts manual variants` tells how"
         raise CannotRead(f"the task `{path}` has no variants", (hint,))
+    if base.variants:
+        hint = f"hide what is checked in `{STAFF_FOLDER}/{TASK_FILE}`, which may vary too"
+        raise CannotRead("a task with `[variants]` has no hidden scenes beside its own", (hint,))
     names = {TASK: TASK_FILE, SCENE: files.scene}
     every = {**files.public, **files.staff}
     for word, name in ((SCENARIO, SCENARIO_FILE), (STAFF, f"{STAFF_FOLDER}/{TASK_FILE}")):

@@ -67,7 +67,7 @@ def pack_evidence(
     by_hand = written.by_hand()
     row = undecided(written.row(student))
     files = _results(written, row)
-    own = variant_place(written.layout, row.result)  # kept as it was, whatever the task is now
+    own = variant_place(written.about.place, written.layout, row.result)
     place = own or written.about.place
     if task is not None and own is None:
         place = msgspec.structs.replace(place, task=str(task))

@@ -8,6 +8,8 @@ from collections.abc import Iterable, Mapping
 from copy import copy
 from pathlib import Path
 
+import msgspec
+
 from vrts.marking.layout import Layout
 from vrts.marking.result import Result
 from vrts.marking.submission.marker import Marker, Marks
@@ -75,11 +77,19 @@ class VariantsMarker(Marker):
         return self.of(order.whose or order.identifier).lost(order, sentence)
 
 
-def variant_place(layout: Layout, result: Result) -> Place | None:
-    """Return where the variant is by which a result was made; None: it is of a task without."""
+def variant_place(place: Place, layout: Layout, result: Result) -> Place | None:
+    """Return where the variant is by which a result was made; None: it is of a task without.
+
+    Args:
+        place: Of the task, with what is laid over it.
+        layout: Of the results.
+        result: For those who mark.
+    """
     tag = "" if result.variant is None else result.variant.tag
     path = layout.variants / f"{tag}.zip"
-    return Place(str(path), variant=tag) if tag and path.is_file() else None
+    if not tag or not path.is_file():
+        return None
+    return msgspec.structs.replace(place, task=str(path), variant=tag)
 
 
 def write_variants(packed: Mapping[str, bytes], layout: Layout) -> None:

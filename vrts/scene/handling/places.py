@@ -116,7 +116,7 @@ def find_places(
         found["safe"] = safe.X_WT
     found.update(given)
     if section is not None:
-        _check_given(scene, given, section, problems)
+        check_given(scene, given, section, problems)
     return MappingProxyType(found)
 
 
@@ -335,9 +335,10 @@ def _warn_no_place(headline: str, body: Body, problems: Problems, why: str | Non
     )
 
 
-def _check_given(
+def check_given(
     scene: Scene, given: Mapping[str, Pose], section: Table, problems: Problems
 ) -> None:
+    """Warn of places of a file that the robot cannot reach."""
     keys = {key.lower(): key for key in section.keys}
     for name, X_WT in given.items():
         ways = branches(scene.robot, X_WT @ scene.X_FT.inverse())

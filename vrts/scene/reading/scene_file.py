@@ -20,7 +20,7 @@ from vrts.robots.model import Robot
 from vrts.robots.timed import timed
 from vrts.scene.colors import NAMED, Color, color
 from vrts.scene.default import floor_body
-from vrts.scene.handling.places import find_places
+from vrts.scene.handling.places import check_given, find_places
 from vrts.scene.model import Body, Mobility, Scene
 from vrts.scene.reading.controller_section import read_controller
 from vrts.scene.reading.files import SceneFolder
@@ -155,7 +155,9 @@ def _scene(top: Table, folder: SceneFolder, problems: Problems, named: str | Non
         return None
     places = dict(find_places(scene, given, locations_section, problems))
     if locations_section is not None:
-        places.update(read_following(locations_section, places, X_WS))
+        following = dict(read_following(locations_section, places, X_WS))
+        check_given(scene, following, locations_section, problems)
+        places.update(following)
     return None if problems.any_error else replace(scene, locations=places)
 
 

@@ -75,6 +75,17 @@ def test_a_student_gets_the_own_numbers_and_nothing_of_others(varied: VariedTask
             assert secret not in text, name
 
 
+def test_students_who_get_the_task_as_it_is_written_learn_of_no_variants(
+    varied: VariedTask,
+) -> None:
+    files = varied.as_written()
+    assert b"[objects.can1]" in files["scene.toml"]
+    texts = {name: data for name, data in files.items() if not name.startswith("pictures/")}
+    for name, data in texts.items():
+        for secret in (b"[variants", b"staff_names", b"can1_goal", b"secret"):
+            assert secret not in data, name
+
+
 def test_what_a_student_gets_is_a_task_that_others_read(varied: VariedTask, tmp_path: Path) -> None:
     variant, found, _ = given(varied, "kurt")
     path = tmp_path / "own.zip"
@@ -109,6 +120,14 @@ def test_a_variant_that_is_no_sound_task_is_named(tmp_path: Path) -> None:
     (found,) = refused.value.diagnostics
     assert "base1" in found.headline
     assert any("base1 = [1060, 190], base2 = [1060, 190]" in note for note in found.notes)
+
+
+def test_hidden_scenes_are_refused_since_nothing_varies_in_them(tmp_path: Path) -> None:
+    lab = copied(tmp_path)
+    (lab / "staff" / "scenes").mkdir()
+    shutil.copy(lab / "scene.toml", lab / "staff" / "scenes" / "other.toml")
+    with pytest.raises(CannotRead, match="no hidden scenes"):
+        load_varied(lab)
 
 
 def test_the_key_is_for_its_owner_and_is_never_taken_from_elsewhere(tmp_path: Path) -> None:

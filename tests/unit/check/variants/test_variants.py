@@ -141,6 +141,7 @@ def test_the_same_values_have_the_same_tag_and_others_another() -> None:
         ("scene.objects.box", "objects.box", "`objects.box` does not begin with a file"),
         ("scene.objects.box", "staff.goal.1.on", "the task has no staff/task.toml"),
         ("scene.objects.box", "task.task.scene", "is the same in all variants"),
+        ("scene.objects.box", "task.mark.total", "is the same in all variants"),
         ('"task.goal.1.on", "', '"task.goal.1.at", "', "there is no `at` in goal.1"),
         ("[true, false]", "[true, false, 2]", "it is a whole table, which is there (true) or not"),
         ("step = 0.2", "step = 0.25", "steps of 0.25 from 0.1 do not end at 0.7"),
