@@ -3,7 +3,6 @@
 from collections.abc import Iterable, Sequence
 from hashlib import sha256
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import NamedTuple
 
 from msgspec import structs
@@ -21,6 +20,7 @@ from vrts.marking.result import from_bytes
 from vrts.marking.row import Class
 from vrts.marking.submission.marker import Marker
 from vrts.marking.submission.setting import Place
+from vrts.marking.supervise.scratch import scratch_folder
 from vrts.marking.variants.doubts import doubts_of, with_doubt
 from vrts.marking.variants.marker import write_variants
 from vrts.marking.whole_class import (
@@ -65,12 +65,12 @@ def plan_class(
     """
     task = marker.whole.task
     assert task is not None
-    with open_place(submissions) as tree, TemporaryDirectory(prefix="vrts-") as staging:
+    with open_place(submissions) as tree, scratch_folder() as staging:
         table = table_for(submissions, tree, None, how)
-        own, variants = of_class(marker), Path(staging) / "variants"
+        own, variants = of_class(marker), staging / "variants"
 
         def mark(asked: Sequence[Entry]) -> Iterable[Done]:
-            return mark_class(marker, asked, None, jobs=how.jobs, staging=Path(staging))
+            return mark_class(marker, asked, None, jobs=how.jobs, staging=staging)
 
         taken = take_in_class(
             task,

@@ -3,8 +3,6 @@
 import random
 from collections.abc import Iterator, Sequence
 from copy import copy
-from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import NamedTuple
 
 import msgspec
@@ -13,6 +11,7 @@ from vrts.marking.differences import Difference, differences
 from vrts.marking.marking import Done, Entry, mark_class
 from vrts.marking.result import Kind
 from vrts.marking.submission.marker import Marker
+from vrts.marking.supervise.scratch import scratch_folder
 
 OTHERS = ("variant",)  # depends on the others of the class
 STAFF, STUDENT = "for those who mark", "for the student"
@@ -72,8 +71,8 @@ def mark_again(marker: Marker, entries: Sequence[Entry], *, jobs: int = 1) -> It
     """Mark programs in processes of their own, writing nothing; keys are as if all was written."""
     quiet = copy(marker)
     quiet.wanted = msgspec.structs.replace(marker.wanted, pages=False, recordings=False)
-    with TemporaryDirectory(prefix="vrts-") as staging:
-        for one in mark_class(quiet, entries, None, jobs=jobs, staging=Path(staging)):
+    with scratch_folder() as staging:
+        for one in mark_class(quiet, entries, None, jobs=jobs, staging=staging):
             assert one.entry.data is not None
             own = marker.of(one.entry.student)
             keys = own.key(one.entry.data), own.public_key(one.entry.data)

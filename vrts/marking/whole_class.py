@@ -5,7 +5,6 @@ from dataclasses import replace
 from datetime import datetime, tzinfo
 from hashlib import sha256
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import NamedTuple
 
 from vrts.base.diagnostic import Diagnostic
@@ -51,6 +50,7 @@ from vrts.marking.remote.mark_on_dask import mark_on_dask
 from vrts.marking.result import Damaged
 from vrts.marking.row import Class, Row
 from vrts.marking.submission.marker import Marker
+from vrts.marking.supervise.scratch import scratch_folder
 from vrts.marking.variants.doubts import doubts_of, with_doubt
 from vrts.marking.variants.of_class import MarkerOfClass
 from vrts.pipeline.files import CannotRead, read_bytes
@@ -111,7 +111,7 @@ def mark_whole_class(
     said: list[Diagnostic] = []
     task = marker.whole.task
     assert task is not None
-    with open_place(submissions) as tree, TemporaryDirectory(prefix="vrts-") as staging:
+    with open_place(submissions) as tree, scratch_folder() as staging:
 
         def mark(
             asked: Sequence[Entry], place: Layout | None, cluster: Backend | None
@@ -132,11 +132,11 @@ def mark_whole_class(
                 place,
                 jobs=how.jobs,
                 again=how.again,
-                staging=Path(staging),
+                staging=staging,
             )
 
         own = of_class(marker)
-        variants = Path(staging) / "variants" if layout is None else layout.variants
+        variants = staging / "variants" if layout is None else layout.variants
         table, about_table = table_for(submissions, tree, layout, how)
         found, remarks, warnings = take_in_class(
             task,

@@ -7,12 +7,11 @@ import ctypes
 import os
 import signal
 import sys
-from pathlib import Path
-from tempfile import TemporaryDirectory
 from types import FrameType
 
 from vrts.marking.remote.run_shard import run_shard
 from vrts.marking.remote.shard import read_shard
+from vrts.marking.supervise.scratch import scratch_folder
 from vrts.pipeline.files import CannotRead
 from vrts.pipeline.refused import Refused
 
@@ -26,8 +25,8 @@ def main() -> None:
     end_with(parent)
     data = sys.stdin.buffer.read()
     try:
-        with TemporaryDirectory(prefix="vrts-") as folder:
-            found = run_shard(read_shard(data), data, Path(folder), jobs=jobs)
+        with scratch_folder() as folder:
+            found = run_shard(read_shard(data), data, folder, jobs=jobs)
     except Refused as refused:
         _refuse("; ".join(d.headline for d in refused.diagnostics))
     except CannotRead as problem:

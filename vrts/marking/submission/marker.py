@@ -9,7 +9,6 @@ import sys
 from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
-from tempfile import TemporaryDirectory
 
 import msgspec
 from msgspec import structs
@@ -38,6 +37,7 @@ from vrts.marking.submission.setting import Place, load
 from vrts.marking.submission.sketch import SKETCH
 from vrts.marking.submission.summary import result_of, unmarked
 from vrts.marking.supervise.limits import Limits, for_mending, for_states
+from vrts.marking.supervise.scratch import scratch_folder
 from vrts.pipeline.setting import Setting
 from vrts.report.audience import for_student
 
@@ -138,8 +138,8 @@ class Marker:
             from vrts.report.recording import prepare  # rerun is optional, and heavy
 
             prepare(self.whole.scene)
-        with TemporaryDirectory(prefix="vrts-") as folder:
-            self._work(order, Path(folder), quiet)
+        with scratch_folder() as folder:
+            self._work(order, folder, quiet)
 
     def work(self, order: Order, folder: Path) -> bytes:
         """Mark, write pages and recordings, and answer with the results."""
