@@ -69,9 +69,10 @@ def command(
 
     The age is the time since the marking, as staff/marking.json says; the dates of files do not
     matter. Younger markings stay. A marking that was interrupted counts from its start. Folders
-    without a marking are refused, and links are not followed. In a small class, sorted marks may
-    show who had which.
+    without a marking are refused, also plans, which hold names and tell no age. Links are not
+    followed. In a small class, sorted marks may show who had which.
     """
+    from vrts.marking.privacy.plans import holds_plan
     from vrts.marking.privacy.purge import State, look, purge
 
     now = datetime.now(UTC)
@@ -80,7 +81,10 @@ def command(
     for one in looked:
         out(_line(one))
         for name in one.left[:MOST_NAMED] if one in due else ():
-            out(f"  stays: {_plain(name)}, which vrts has not written")
+            out(f"  stays: {_plain(name)}, {_what(one.folder / name)}")
+        for name in one.left[MOST_NAMED:] if one in due else ():
+            if holds_plan(one.folder / name):
+                out(f"  stays: {_plain(name)}, {_what(one.folder / name)}")
         if one in due and len(one.left) > MOST_NAMED:
             out(f"  and {len(one.left) - MOST_NAMED} more that stay")
     if not due:
@@ -93,6 +97,15 @@ def command(
         purge(one, keep_statistics=keep_statistics)
         kept = ", statistics are kept" if keep_statistics else ""
         out(f"deleted {_count(one)} in {_plain(str(one.folder))}{kept}")
+
+
+def _what(place: Path) -> str:
+    """Return what a file or folder is that stays."""
+    from vrts.marking.privacy.plans import holds_plan
+
+    if holds_plan(place):
+        return "a plan, which holds names: delete it by hand when its results are merged"
+    return "which vrts has not written"
 
 
 def _line(one: "Looked") -> str:

@@ -17,6 +17,7 @@ from vrts.base.diagnostic import Rule, error
 from vrts.marking import about
 from vrts.marking.about import About
 from vrts.marking.layout import COMPARED, DECISIONS, STAFF, STAGING, STUDENTS, write_atomically
+from vrts.marking.privacy.plans import KEY, SHARDS, holds_plan
 from vrts.marking.privacy.statistics_of_class import NAME as STATISTICS
 from vrts.marking.privacy.statistics_of_class import statistics_of
 from vrts.marking.privacy.statistics_of_class import to_bytes as statistics_to_bytes
@@ -72,13 +73,15 @@ def look(folder: Path, older_than: timedelta, now: datetime) -> Looked:
     """Return what is to be done with a folder.
 
     Raises:
-        Refused: No marking was written there, or a link is in the way.
+        Refused: No marking was written there but perhaps a plan, or a link is in the way.
     """
     for part in ("", STAFF, *FOLDERS):
         if (folder / part).is_symlink():
             raise _link(folder / part)
     if not _is_file(folder / MARKER) and _is_file(folder / STAFF / STATISTICS):
         return Looked(folder, State.PURGED, None, timedelta(0), 0, 0, ())
+    if not _is_file(folder / MARKER) and holds_plan(folder):
+        raise _plan(folder)
     marked = _about(folder)
     age = now - marked.when
     state = State.DUE if age >= older_than else State.YOUNG
@@ -165,6 +168,16 @@ def _is_file(path: Path) -> bool:
         return stat.S_ISREG(path.lstat().st_mode)
     except OSError:
         return False
+
+
+def _plan(folder: Path) -> Refused:
+    headline = f"`{folder}` is a plan for marking on other machines: nothing is deleted"
+    notes = (
+        f"`{KEY}` and `{SHARDS}` hold the names and the programs of the class",
+        "a plan does not say when it was made, so its age cannot be told",
+    )
+    remedy = "when its results are merged, delete the folder by hand, here and where it was sent"
+    return Refused((error(NOT_OURS, headline, notes=notes, help=(remedy,)),))
 
 
 def _not_ours(folder: Path, why: str) -> Refused:

@@ -198,3 +198,20 @@ def test_every_name_that_marking_writes_is_known() -> None:
     for name in (PAGE, DATA, MARKS):
         assert f"staff/{name}" in purge.FILES
     assert f"staff/{EXPORTS}" in purge.FOLDERS
+
+
+def test_a_plan_is_told_for_what_it_is_and_stays(tmp_path: Path) -> None:
+    plan = tmp_path / "plan"
+    (plan / "shards").mkdir(parents=True)
+    (plan / "key.json").write_text('{\n "schema": "vrts.plan/2",\n "plan": "anna-berger"\n}\n')
+    refused = CliRunner().invoke(vrts, ["purge", str(plan), "--older-than", "0d", "--yes"])
+    assert refused.exit_code == 1
+    assert "is a plan for marking on other machines" in refused.stderr
+    assert "hold the names" in refused.stderr
+    assert (plan / "key.json").is_file()
+    out = marked(tmp_path / "out", days=400)
+    plan.rename(out / "plan")
+    told = CliRunner().invoke(vrts, ["purge", str(out), "--older-than", "1d", "--yes"])
+    assert told.exit_code == 0, told.output
+    assert "stays: plan, a plan, which holds names" in told.stdout
+    assert (out / "plan" / "key.json").is_file()
