@@ -309,6 +309,7 @@ def test_a_change_by_hand_goes_along(marked: Marked, tmp_path: Path) -> None:
     assert "reason anna" in members(data)["README.txt"].decode()
 
 
+@pytest.mark.thorough
 def test_decisions_of_graders_go_along_and_nobody_else_is_in_them(
     marked: Marked, tmp_path: Path
 ) -> None:

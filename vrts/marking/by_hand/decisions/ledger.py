@@ -23,6 +23,7 @@ MOST_FILES = 100
 MOST_RECORDS = 100_000  # in one file
 MOST_TOLD = 20  # damaged lines of one file
 PUT_BACK = "put the line back as it was, from a copy or from version control"
+FOREIGN_LINE = "delete it only if vrts has not written it"
 
 _DECODER = msgspec.json.Decoder(Decision)
 _BEGINNING = msgspec.json.Decoder(Beginning)
@@ -195,7 +196,8 @@ class _File:
         between = ": " if what.startswith("line") else " "
         headline = f"`{self.name}`{between}{what}"
         note = "no mark is made while a decision cannot be read"
-        self.diagnostics.append(error(DAMAGED, headline, notes=(note,), help=(remedy,)))
+        remedies = (remedy, FOREIGN_LINE) if remedy == PUT_BACK else (remedy,)
+        self.diagnostics.append(error(DAMAGED, headline, notes=(note,), help=remedies))
 
 
 def _why(problem: Exception) -> str:
