@@ -23,6 +23,14 @@ export class Replay {
     this.waiting = 0;
     desk.on(["chosen"], () => this.close());
     desk.on(["detail"], () => this.open());
+    let running = false;
+    desk.on(["marking"], () => {
+      const ended = running && !desk.data?.marking.running;
+      running = desk.data?.marking.running ?? false;
+      if (!ended) return;
+      this.url = ""; // the report at this address may be another one now
+      this.open();
+    });
     window.addEventListener("message", (event) => this.hear(event));
   }
 
