@@ -10,6 +10,7 @@ from vrts.marking.similarity.features.steps import Step, steps_of
 DEEDS = ("Move", "Depart", "Draw", "Drive", "Align", "Ready", "Nest", "MoveHand", "Grasp")
 NUMBER_SHARE = 0.06  # of a number: the size of a cell of its logarithm, more or less
 ROWS = ((2, 8.0), (3, 10.0), (4, 12.0))  # numbers of deeds in a row, and the size of a cell
+DEEDS_IN_A_ROW = (3, 5, 8, 12)
 USUAL = frozenset({0.0, 1.0})  # numbers that tell nothing
 
 
@@ -33,7 +34,7 @@ def _pieces(steps: Sequence[Step]) -> Iterator[Feature]:
             size = 2.0 ** round(log2(size))
             yield from near(Channel.NUMBERS, "about", (step.name,), (value,), size, step.line)
     deeds = [step for step in steps if step.name.split(" ", 1)[0] in DEEDS]
-    for length in (3, 5):
+    for length in DEEDS_IN_A_ROW:
         yield from _rows("deeds", [step.name for step in deeds], deeds, length)
     yield from _rows("with numbers", [_numbered(step) for step in deeds], deeds, 2)
     yield from _rows("with speeds", [_hasty(step) for step in deeds], deeds, 3)

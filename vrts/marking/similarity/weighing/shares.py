@@ -15,7 +15,7 @@ Floats = NDArray[np.float32]
 BACKGROUND = 10.0  # programs that are thought to stand beside a class, of which nothing is known
 COMMON = 0.34  # share of a class from which on something tells nothing
 DOUBT = 30.0  # nats that two programs may share by chance
-ALONE = 0.35  # what a feature that nobody shares counts in the size of a program
+ALONE = 0.2  # what a feature that nobody shares counts in the size of a program
 SMALLER = 0.7  # how much the smaller of two programs counts in the size of both
 BLOCK = 4096  # features at a time
 
