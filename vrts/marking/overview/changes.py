@@ -11,6 +11,7 @@ from vrts.report.page.html import Markup, element
 from vrts.report.plain import one_line
 
 FIRST = 12  # shown at once
+HEADS = ("Submission", "Computed", "Late", "Changed by hand", "Final mark")
 
 
 def changes(rows: Sequence[Row], *, pages: bool) -> Markup | None:
@@ -36,21 +37,21 @@ def _is_late(row: Row) -> bool:
 
 
 def _table(rows: Sequence[Row], *, pages: bool) -> Markup:
-    heads = ("Submission", "Computed", "Late", "Changed by hand", "Final mark")
-    head = element("tr", *(element("th", text, scope="col") for text in heads))
+    head = element("tr", *(element("th", text, scope="col") for text in HEADS))
     body = [_row(row, pages=pages) for row in rows]
     return element("table", element("thead", head), element("tbody", *body), class_="changes")
 
 
 def _row(row: Row, *, pages: bool) -> Markup:
     link = staff_report(row.id) if pages and has_report(row) else None
+    _, computed, late, changed, final = HEADS  # told beside each cell where the screen is narrow
     return element(
         "tr",
         element("td", who(row, link)),
-        element("td", tenth(row.result.mark), class_="number"),
-        element("td", *_late(row.late)),
-        element("td", *_change(row)),
-        element("td", element("b", tenth(row.final)), class_="number"),
+        element("td", tenth(row.result.mark), class_="number", data_head=computed),
+        element("td", *_late(row.late), data_head=late),
+        element("td", *_change(row), data_head=changed),
+        element("td", element("b", tenth(row.final)), class_="number", data_head=final),
     )
 
 
