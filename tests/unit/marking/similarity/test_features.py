@@ -130,3 +130,14 @@ def test_every_feature_has_words_that_a_person_can_read() -> None:
 
 def test_what_is_no_text_has_no_features() -> None:
     assert list(features_of(Program(b"\0\1\2"), "a", Reader())) == []
+
+
+def test_calls_that_pile_up_are_read_soon() -> None:
+    many = ",".join(["x"] * 12)
+    parts = [
+        f".PROGRAM p{k}(x)\n  CALL p{k + 1}(MAX({many}))\n  DRAW x, 1E38*1E38*x\n.END\n"
+        for k in range(9)
+    ]
+    text = "".join([".PROGRAM main()\n  CALL p0(SIG(1))\n.END\n", *parts])
+    found = list(features_of(Program(text.encode()), "a", Reader()))
+    assert sum(len(repr(feature.key)) for feature in found) < 1_000_000

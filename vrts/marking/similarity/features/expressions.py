@@ -23,6 +23,8 @@ from vrts.ir.values import Type
 
 EXPRESSIONS = (Constant, Load, Unary, Binary, Apply, Compose)
 DEEPEST = 24  # expressions in expressions that are told apart
+LARGEST = 1e30  # of a number that is worked out
+LONGEST = 80  # characters of an argument of a call
 NUMBER = "#"  # in place of a number, where numbers do not count
 
 _EITHER_WAY = frozenset(
@@ -52,12 +54,28 @@ _LETTERS = {
 }
 
 
+class Given(NamedTuple):
+    """An argument of a call, as the caller has it."""
+
+    shape: str  # without numbers
+    exact: str
+    value: float | None  # None: it is not known
+
+
 class Known(NamedTuple):
     """What stands for variables: constants that never change, and arguments of calls."""
 
     constants: Mapping[str, float]  # by name
-    arguments: tuple[Argument, ...] = ()  # of the call, by number of the formal
-    outer: "Known | None" = None  # by which the arguments are to be read
+    arguments: tuple[Given | None, ...] = ()  # of the call, by number of the formal
+
+
+def given_of(argument: Argument, known: Known) -> Given | None:
+    """Return an argument as its caller has it; a long one is cut, so that calls do not pile up."""
+    if argument is None:
+        return None
+    shape = spelled(argument, known, numbers=False)[:LONGEST]
+    exact = spelled(argument, known, numbers=True)[:LONGEST]
+    return Given(shape, exact, constant_of(argument, known))
 
 
 def spelled(found: Argument, known: Known, *, numbers: bool, depth: int = 0) -> str:
@@ -130,9 +148,7 @@ def constant_of(found: Argument, known: Known, depth: int = 0) -> float | None:
             variable = place.variable
             if isinstance(variable, Slot):
                 given = _given(variable, known)
-                if given is None or known.outer is None:
-                    return None
-                return constant_of(given, known.outer, depth + 1)
+                return None if given is None else given.value
             return known.constants.get(variable.name)
         case _:
             return None
@@ -140,6 +156,11 @@ def constant_of(found: Argument, known: Known, depth: int = 0) -> float | None:
 
 def _computed(operator: BinaryOperator, one: float, other: float) -> float | None:
     """Return what an operator makes of two numbers; None: it is not worked out here."""
+    found = _result(operator, one, other)
+    return found if found is not None and abs(found) < LARGEST else None
+
+
+def _result(operator: BinaryOperator, one: float, other: float) -> float | None:
     match operator:
         case BinaryOperator.ADD:
             return one + other
@@ -183,7 +204,7 @@ def variables_in(found: object) -> frozenset[str]:
     return frozenset(names)
 
 
-def _given(slot: Slot, known: Known) -> Argument:
+def _given(slot: Slot, known: Known) -> Given | None:
     return known.arguments[slot.number] if slot.number < len(known.arguments) else None
 
 
@@ -201,10 +222,10 @@ def _letter(variable: Variable) -> str:
 
 def _variable(place: Place, known: Known, *, numbers: bool, depth: int) -> str:
     variable = place.variable
-    if isinstance(variable, Slot) and not place.subscripts and known.outer is not None:
+    if isinstance(variable, Slot) and not place.subscripts:
         given = _given(variable, known)
         if given is not None:
-            return spelled(given, known.outer, numbers=numbers, depth=depth + 1)
+            return given.exact if numbers else given.shape
     if not place.subscripts and not isinstance(variable, Slot):
         value = known.constants.get(variable.name)
         if value is not None:

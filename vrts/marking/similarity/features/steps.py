@@ -13,6 +13,7 @@ from vrts.marking.similarity.features.expressions import (
     EXPRESSIONS,
     Known,
     constant_of,
+    given_of,
     spelled,
     variables_in,
 )
@@ -83,7 +84,8 @@ class _Writer:
                 return
             inner = context._replace(loops=context.loops + loops[number])
             if isinstance(one, Call) and self._goes_in(one, inner):
-                known = Known(self._constants, one.arguments, inner.known)
+                given = tuple(given_of(argument, inner.known) for argument in one.arguments)
+                known = Known(self._constants, given)
                 path = (*inner.path, one.program)
                 self._program(one.program, _Context(known, inner.depth + 1, inner.loops, path))
                 continue
