@@ -100,9 +100,9 @@ def fair_lines(variants: Variants, found: Fairness) -> Iterator[str]:
     if found.excluded:
         yield ""
         yield "to exclude what falls out, paste this at the end of task.toml:"
-        for part in found.excluded:
+        for table in as_toml(variants, found.excluded):
             yield ""
-            yield from as_toml(variants, part).split("\n")
+            yield from table.split("\n")
     if found.unexplained and found.excluded:
         yield ""
         yield f"these leave {found.unexplained} that fall out, too: check again afterwards"

@@ -1,9 +1,11 @@
 """What to exclude so that no student gets a variant that falls out: `[[variants.without]]`."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import TypeAlias
 
-from vrts.check.variants.model import Combination, Variants
+from vrts.check.variants.model import Combination, Variants, Vary
+
+HEADER = "[[variants.without]]"
 
 Part: TypeAlias = tuple[tuple[int, int], ...]  # what varies, and which of its choices
 
@@ -62,12 +64,23 @@ def has(combination: Combination, part: Part) -> bool:
     return all(combination[k] == choice for k, choice in part)
 
 
-def as_toml(variants: Variants, part: Part) -> str:
-    """Return an exclusion as it stands in `task.toml`."""
-    lines = ["[[variants.without]]"]
-    for number, choice in part:
-        vary = variants.varies[number]
+def as_toml(variants: Variants, parts: Sequence[Part]) -> Iterator[str]:
+    """Yield exclusions as they stand in `task.toml`, single values of one thing in one table."""
+    single: dict[int, list[int]] = {}
+    for part in parts:
+        if len(part) == 1:
+            single.setdefault(part[0][0], []).append(part[0][1])
+    for number, choices in single.items():
+        yield f"{HEADER}\n{_line(variants.varies[number], sorted(choices))}"
+    for part in parts:
+        if len(part) > 1:
+            lines = (_line(variants.varies[number], [choice]) for number, choice in part)
+            yield "\n".join((HEADER, *lines))
+
+
+def _line(vary: Vary, choices: Sequence[int]) -> str:
+    texts: list[str] = []
+    for choice in choices:
         values = vary.choices[choice]
-        text = values[0] if len(set(values)) == 1 else f"[{', '.join(values)}]"
-        lines.append(f"{vary.name} = [{text}]")
-    return "\n".join(lines)
+        texts.append(values[0] if len(set(values)) == 1 else f"[{', '.join(values)}]")
+    return f"{vary.name} = [{', '.join(texts)}]"

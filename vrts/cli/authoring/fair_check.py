@@ -10,13 +10,14 @@ from vrts.cli.shared.cores import workers_of
 if TYPE_CHECKING:
     from vrts.assignments.variants.of_task import VariedTask
     from vrts.check.variants.model import Combination
+    from vrts.marking.variants.class_list import Member
 
 
 class HowTo(NamedTuple):
     """How the variants of a task are checked."""
 
     reference: Path | None  # the solution; None: that of the folder
-    roster: Path | None  # the class; None: only a covering set is tried
+    members: "tuple[Member, ...]"  # of the class; nobody: only a covering set is tried
     key: Path | None  # by which variants are drawn; None: that beside the task
     jobs: int | None  # variants that are tried at a time; None: one a core
     color: str
@@ -38,7 +39,7 @@ def check_variants(folder: Path, how: HowTo) -> bool:
     varied = load_varied(folder)
     if how.reference is not None:
         varied = replace(varied, solution=read_bytes(how.reference))
-    students = {} if how.roster is None else _students(varied, folder, how.roster, how.key)
+    students = _drawn(varied, how.members, folder, how.key) if how.members else {}
     found = fairness(varied, students, workers_of(how.jobs))
     out("")
     show_diagnostics(fair_findings(varied.variants, found), how.color)
@@ -46,17 +47,29 @@ def check_variants(folder: Path, how: HowTo) -> bool:
     return found.fair
 
 
-def _students(
-    varied: "VariedTask", folder: Path, roster: Path, key: Path | None
-) -> "dict[str, Combination]":
-    """Return which variant each student of a class has, by a name that tells who it is."""
-    from vrts.assignments.variants.key import key_made, place_of_key
-    from vrts.check.variants.drawn import drawn
+def members_of(roster: Path | None) -> "tuple[Member, ...]":
+    """Return who is in a class; nobody where there is no list.
+
+    Raises:
+        CannotRead: The list is not there, or is none.
+        Refused: Two in it cannot be told apart.
+    """
+    if roster is None:
+        return ()
     from vrts.marking.intake.tables.roster import read_roster
     from vrts.marking.variants.class_list import class_list
     from vrts.pipeline.files import read_bytes
 
-    members = class_list(read_roster(read_bytes(roster), roster.name, None), roster.name).members
+    return class_list(read_roster(read_bytes(roster), roster.name, None), roster.name).members
+
+
+def _drawn(
+    varied: "VariedTask", members: "tuple[Member, ...]", folder: Path, key: Path | None
+) -> "dict[str, Combination]":
+    """Return which variant each student of a class has, by a name that tells who it is."""
+    from vrts.assignments.variants.key import key_made, place_of_key
+    from vrts.check.variants.drawn import drawn
+
     place = key or place_of_key(folder)
     secret, made = key_made(place)
     if made:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from vrts.cli.authoring.fair_check import HowTo, check_variants
+from vrts.cli.authoring.fair_check import HowTo, check_variants, members_of
 from vrts.cli.authoring.variants_command import command as variants
 from vrts.cli.shared.console import (
     HOLDS,
@@ -86,6 +86,7 @@ def check(
     setting = _setting(folder, lab)
     if roster is not None and (setting.task is None or setting.task.variants is None):
         fail("`--roster` is for a task with variants", ("add `[variants]` to its task.toml",))
+    members = members_of(roster)
     if write:
         _write_readme(_folder(folder))
     found = check_task(setting, reference or reference_of(_folder(folder)))
@@ -98,7 +99,7 @@ def check(
         if lab is not None:
             say("note: variants are tried where the task is set, without `--lab`")
         elif ready:
-            how = HowTo(reference, roster, key, jobs, color)
+            how = HowTo(reference, members, key, jobs, color)
             ready = check_variants(_folder(folder), how)
         else:
             say("note: variants are tried once the task itself is ready")

@@ -77,6 +77,14 @@ def read(text: str) -> Variants:
 def test_an_exclusion_can_be_pasted() -> None:
     usual = read(SECTION)
     part = ((0, 1), (1, 0), (2, 1))
-    after = read(f"{SECTION}\n{as_toml(usual, part)}\n")
+    (table,) = as_toml(usual, [part])
+    after = read(f"{SECTION}\n{table}\n")
     assert [one for n in range(8) if not after.allowed(one := after.combination(n))] == [(1, 0, 1)]
-    assert as_toml(variants([2, 2]), ((1, 0),)) == "[[variants.without]]\nv1 = [0]"
+
+
+def test_single_values_of_one_thing_stand_in_one_table() -> None:
+    parts = (((1, 2),), ((0, 1), (1, 1)), ((1, 0),))
+    assert list(as_toml(variants([2, 3]), parts)) == [
+        "[[variants.without]]\nv1 = [0, 2]",
+        "[[variants.without]]\nv0 = [1]\nv1 = [1]",
+    ]
