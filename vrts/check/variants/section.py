@@ -35,6 +35,10 @@ def read_variants(top: Table, problems: Problems) -> Variants | None:
     if section is None:
         return None
     before = len(problems.found)
+    if not section.span.text.startswith("["):  # students' files are cut at headers
+        headline = f"`{SECTION}` needs a header of its own"
+        remedy = f"write `[{SECTION}]`, and `[[{SECTION}.vary]]` for each thing that varies"
+        problems.error(VALUES, headline, section.span, help=(remedy,))
     assignment = section.string("assignment", required=True)
     if assignment is not None and not _ASSIGNMENT.fullmatch(assignment):
         headline = "`assignment` must be a short name: letters, digits, blanks, `-`, `_` and `.`"

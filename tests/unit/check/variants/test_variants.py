@@ -134,6 +134,17 @@ def test_the_same_values_have_the_same_tag_and_others_another() -> None:
 
 
 @pytest.mark.parametrize(
+    "text",
+    [
+        'variants.assignment = "a"\nvariants.vary = [{name = "a", set = "b", choices = [1, 2]}]\n',
+        'variants = {assignment = "a", vary = [{name = "a", set = "b.c", choices = [1, 2]}]}\n',
+    ],
+)
+def test_variants_without_a_header_are_refused_since_they_could_not_be_cut(text: str) -> None:
+    assert read(text) == (None, ["`variants` needs a header of its own"])
+
+
+@pytest.mark.parametrize(
     ("before", "after", "told"),
     [
         ("at_mm.x", "at.x", "`scene.objects.can1.at.x`: there is no `at` in objects.can1"),
