@@ -36,6 +36,20 @@ __all__ = ["PATCHES", "Patch"]
 
 PATCHES: tuple[Patch, ...] = (
     Patch(
+        "a mesh that stands a millimetre out of its pieces counts as held by them",
+        "vrts/scene/meshes/covering.py",
+        "    crossing = np.nonzero(outside.min(axis=0) > ROUNDING)[0]",
+        "    crossing = np.nonzero(outside.min(axis=0) > 1.0)[0]",
+        ("tests/unit/scene/meshes/test_covering.py",),
+    ),
+    Patch(
+        "what stands on two arms of a mesh stands on one of them",
+        "vrts/engine/hand/settle.py",
+        "    if len(mine) < 2 and len(theirs) < 2:",
+        "    if len(mine) < 9 and len(theirs) < 9:",
+        ("tests/unit/scene/things/test_mesh_objects.py",),
+    ),
+    Patch(
         "a mark that has changed since the desk showed it is decided all the same",
         "vrts/desk/desk.py",
         "            _require_still(rests_on(asked), shown, facts_of(before.book))",

@@ -35,6 +35,8 @@ def test_what_no_piece_holds_is_found_though_it_has_no_corner_of_the_mesh() -> N
 
 def test_a_piece_that_is_a_hair_too_small_is_not_believed() -> None:
     assert left_over(u_mesh(), pieces(*U_PIECES, more=-0.00001))
+    assert left_over(u_mesh(), pieces((0, 0, 120, 60), more=-0.5))
+    assert left_over(u_mesh(), pieces((0, 0, 120, 60))) == ()
 
 
 def test_the_bound_is_never_below_the_truth_and_near_to_it() -> None:
