@@ -10,8 +10,8 @@ from vrts.base.toml.reading import Problems, Table, read_toml
 from vrts.pipeline.pieces.making import CLOSENESS, MOST, Compared, compared, made
 from vrts.pipeline.pieces.splitting import NoLibrary
 from vrts.scene.meshes.mesh_file import MOST_BYTES
+from vrts.scene.meshes.pieces_file import FORMAT, Pieces, PiecesFault, pieces_text, read_pieces
 from vrts.scene.meshes.pieces_file import MOST_BYTES as MOST_TEXT
-from vrts.scene.meshes.pieces_file import Pieces, PiecesFault, pieces_text, read_pieces
 from vrts.scene.meshes.triangles import MeshFault
 from vrts.scene.reading.files import FileFault, SceneFolder
 from vrts.scene.reading.mesh_section import MeshKeys, read_mesh_keys
@@ -65,6 +65,7 @@ def make_pieces(
         closeness = asked.closeness or (before.closeness if before else CLOSENESS)
         most = asked.most or (before.most if before else MOST)
         try:
+            SceneFolder(folder).to_write(keys.pieces, FORMAT.encode())
             data = SceneFolder(folder).read(keys.file, MOST_BYTES)
             pieces = made(keys.file, data, keys.unit, closeness, most)
         except (FileFault, MeshFault) as fault:

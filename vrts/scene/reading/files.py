@@ -45,6 +45,31 @@ class SceneFolder:
         self.contents[name] = data
         return data
 
+    def to_write(self, name: str, begins: bytes) -> Path:
+        """Return where a file of ours goes in the folder.
+
+        Args:
+            name: Path within the folder, parts joined by `/`.
+            begins: What stands near the beginning of such a file; another one is not overwritten.
+
+        Raises:
+            FileFault: The name leads out of the folder, or is that of another file.
+        """
+        assert self.path is not None
+        folder = self.path.resolve()
+        if not _PLAIN.fullmatch(name) or ".." in name.split("/"):
+            raise FileFault("only names of files in the scene's own folder are taken")
+        place = (folder / name).resolve()
+        if not place.is_relative_to(folder) or not place.parent.is_dir():
+            raise FileFault(f"`{name}` would lie outside the scene's folder, or in none")
+        if place.exists():
+            if not place.is_file():
+                raise FileFault(f"`{name}` is no file")
+            with place.open("rb") as file:
+                if begins not in file.read(200):
+                    raise FileFault(f"`{name}` is another file, which is not overwritten")
+        return place
+
     def _opened(self, name: str, most: int) -> bytes:
         """Return the first bytes of a file in a folder, one more than may be."""
         assert self.path is not None

@@ -81,6 +81,10 @@ def test_pieces_are_made_once_and_proven_at_every_check(tmp_path: Path) -> None:
         (SCENE.replace('"cradle.stl"', '"missing.stl"'), "no such file"),
         (SCENE.replace('"cradle.stl"', '"scene.toml"'), "no mesh that vrts reads"),
         (SCENE.replace('unit = "mm"', 'unit = "m"'), "farther than 10 m"),
+        (SCENE + 'pieces = "../out.json"\n', "own folder"),
+        (SCENE + 'pieces = "nowhere/out.json"\n', "or in none"),
+        (SCENE + 'pieces = "scene.toml"\n', "another file, which is not overwritten"),
+        (SCENE + 'pieces = "cradle.stl"\n', "another file, which is not overwritten"),
     ],
 )
 def test_meshes_that_cannot_be_taken_are_told(tmp_path: Path, scene: str, said: str) -> None:
@@ -88,6 +92,7 @@ def test_meshes_that_cannot_be_taken_are_told(tmp_path: Path, scene: str, said: 
     assert found.exit_code == 1
     assert "V897" in found.stderr
     assert said in found.stderr
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["cradle.stl", "scene.toml"]
 
 
 def test_a_library_that_is_not_there_is_named(
