@@ -13,7 +13,7 @@ from vrts.cli.shared.console import STDOUT, fail, reason_of
 FILES = frozenset(  # options that name a file to write, in whatever command
     (
         *("--html", "--record", "--mcap", "--certificate", "--csv", "--save", "--svg", "--sheet"),
-        *("--counterexample", "--transcript", "--backup"),
+        *("--counterexample", "--transcript", "--backup", "--png"),
     )
 )
 EITHER = "--output"  # names a file, or a folder that is made, as the command says

@@ -2,30 +2,16 @@
 
 from collections.abc import Mapping
 from itertools import chain
-from typing import Annotated
 
-from msgspec import Meta
-
-from vrts.marking.result import Record
 from vrts.marking.similarity.features.extract import CHANNELS
 from vrts.marking.similarity.features.feature import Channel, Feature
 from vrts.marking.similarity.features.words import words_of
+from vrts.marking.similarity.groups import Evidence
 from vrts.marking.similarity.weighing.shares import Shares
 
 MOST = 24  # told of two programs
 MOST_OF_CHANNEL = 7
 LEAST = 0.7  # nats: what weighs less is left out
-
-
-class Evidence(Record, frozen=True):
-    """Something that two programs share."""
-
-    what: Annotated[str, Meta(description="motion, steps, numbers, words or text")]
-    words: str
-    weight: Annotated[float, Meta(ge=0, description="natural logarithm of how seldom it is")]
-    others: Annotated[int, Meta(ge=0, description="further programs that have it")]
-    first_line: Annotated[int, Meta(ge=0, description="of the first program; 0: of none")]
-    second_line: Annotated[int, Meta(ge=0)]
 
 
 def evidence_of(

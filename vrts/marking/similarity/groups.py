@@ -5,7 +5,6 @@ from typing import Annotated, Literal, TypeAlias
 from msgspec import Meta
 
 from vrts.marking.result import Record
-from vrts.marking.similarity.evidence import Evidence
 
 STRONG, LOOK = 0.05, 0.5  # pairs as much alike that are expected by chance, at most
 
@@ -24,6 +23,17 @@ class Link(Record, frozen=True):
     score: Score
     strength: Strength
     page: Annotated[str, Meta(description="in `staff`; empty: the pair has none")] = ""
+
+
+class Evidence(Record, frozen=True):
+    """Something that two programs share."""
+
+    what: Annotated[str, Meta(description="motion, steps, numbers, words or text")]
+    words: str
+    weight: Annotated[float, Meta(ge=0, description="natural logarithm of how seldom it is")]
+    others: Annotated[int, Meta(ge=0, description="further programs that have it")]
+    first_line: Annotated[int, Meta(ge=0, description="of the first program; 0: of none")]
+    second_line: Annotated[int, Meta(ge=0)]
 
 
 class Group(Record, frozen=True):

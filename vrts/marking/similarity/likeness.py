@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vrts.base.workers import Workers
-from vrts.marking.similarity.evidence import Evidence, evidence_of
+from vrts.marking.similarity.evidence import evidence_of
 from vrts.marking.similarity.features.extract import (
     CHANNELS,
     Digests,
@@ -17,7 +17,7 @@ from vrts.marking.similarity.features.extract import (
     features_of,
 )
 from vrts.marking.similarity.features.feature import Channel, Feature
-from vrts.marking.similarity.groups import Group, Link, strength_of
+from vrts.marking.similarity.groups import Evidence, Group, Link, strength_of
 from vrts.marking.similarity.symbols import Reader
 from vrts.marking.similarity.weighing.chance import Chances, chances, sameness
 from vrts.marking.similarity.weighing.grouping import Group as Together

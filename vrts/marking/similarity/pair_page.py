@@ -5,8 +5,7 @@ from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from vrts.base.source import SourceFile
-from vrts.marking.similarity.evidence import Evidence
-from vrts.marking.similarity.groups import Group, Link
+from vrts.marking.similarity.groups import Evidence, Group, Link
 from vrts.marking.similarity.symbols import readable
 from vrts.report.page.document import POLICY, document_parts
 from vrts.report.page.html import Child, Markup, element, joined, prose, raw
