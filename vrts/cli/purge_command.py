@@ -63,9 +63,10 @@ def command(
     """Delete what markings wrote about people into the folders OUT.
 
     It deletes results, reports, recordings, tables of hand-ins and of names, marks, changes by
-    hand, exports in staff/exports, similarity and overview. It looks in students and staff, for the
-    names that vrts gives these files. Any other file stays, and is named. Downloads, evidence, and
-    what was exported to other places stay, too.
+    hand, decisions of graders, variants, exports in staff/exports, similarity and overview. It
+    looks in students and staff, for the names that vrts gives these files. Any other file stays,
+    and is named. Downloads, evidence, and what was exported to other places stay, too. The key of
+    variants and `variants.csv` of `vrts task variants` lie elsewhere, and stay.
 
     The age is the time since the marking, as staff/marking.json says; the dates of files do not
     matter. Younger markings stay. A marking that was interrupted counts from its start. Folders

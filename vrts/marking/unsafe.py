@@ -46,10 +46,10 @@ REMEDIES = {
     Reason.RESOURCE: "mark it again with fewer `--jobs`, or where there is more memory",
     Reason.AMBIGUOUS: f"name the file that is meant in {TABLE}, and mark again",
     Reason.UNREAD: "make the file readable, or download it again, and mark again",
-    Reason.CONFLICT: "`vrts grade decisions OUT` says who differs: decide with `--keep NAME`, or"
-    " take one back with `--undo NAME`",
-    Reason.LAPSED: "look at the program that is marked now, decide again, and take back what was"
-    " decided before with `vrts grade decisions OUT --undo NAME`",
+    Reason.CONFLICT: "`vrts grade decisions OUT` says who differs: decide with"
+    " `--keep NAME --who YOU --reason WHY`, or undo one with `--undo NAME --who YOU`",
+    Reason.LAPSED: "look at the program that is marked now, decide again, and undo what was"
+    " decided before with `vrts grade decisions OUT --undo NAME --who YOU`",
     Reason.VARIANT: "look whose program it is, and decide; `variants.csv` of `vrts task variants`"
     " tells who has which",
     Reason.ALTERED: "mark again with the task that was handed out",

@@ -48,7 +48,7 @@ def test_each_place_has_its_reason() -> None:
         ("shared", "the held can1 hits base1, as 1 other"),
         ("alone", "the palm hits can1"),
         ("alike", "like 1 other"),
-        ("fine", "nothing is known against it"),
+        ("fine", "no points lost"),
         ("theirs", "another grader's"),
         ("done", "finished"),
     ]

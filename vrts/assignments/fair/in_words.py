@@ -85,7 +85,7 @@ def fair_lines(variants: Variants, found: Fairness) -> Iterator[str]:
         yield f"  {many} {ones}"
     fit = len(found.trials) - len(found.out)
     fall = "1 falls out" if len(found.out) == 1 else f"{len(found.out)} fall out"
-    yield f"  {fit} can be done, and are as hard as each other; {fall}"
+    yield f"  {fit} can be done and are equally hard; {fall}"
     yield ""
     yield "difficulty    median   least    most   allowed"
     for measure in found.measures:

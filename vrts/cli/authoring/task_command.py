@@ -169,7 +169,8 @@ def _for_students(files: "TaskFiles", setting: "Setting", folder: Path) -> "Task
     from vrts.assignments.handed.readme import NAME as README
     from vrts.assignments.variants.of_task import load_varied
 
-    say("note: students get the task as it is written; `vrts task variants` gives each an own one")
+    own = "`vrts task variants` gives each student their own"
+    say(f"note: students get the task as it is written; {own}")
     written = load_varied(folder).as_written()
     return files._replace(
         public={**files.public, **{n: written[n] for n in written if n != README}}

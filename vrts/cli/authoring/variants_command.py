@@ -45,7 +45,7 @@ def command(
     versions: tuple[str, ...],
     color: str,
 ) -> None:
-    """Write a zip of TASK for each student of a class, each with a variant of its own.
+    """Write a zip of TASK for each student of a class, each with another variant.
 
     TASK is a folder or a zip with `[variants]` in its task.toml. OUTPUT/students has the zips: the
     files of `vrts task pack` for students, with the numbers of that variant. OUTPUT/variants.csv
@@ -53,8 +53,10 @@ def command(
     all, for "Upload multiple feedback files in a zip".
 
     A key decides which variant each gets. If there is none, it is made, and only its owner may read
-    it. With another key everybody has another variant: keep a copy. TASK must pass `vrts task
-    check`.
+    it. With another key everybody has another variant: keep a copy.
+
+    The task as it is written must pass `vrts task check`; of a zip this is not looked at again.
+    Whether its variants are fair only `vrts task check TASK --roster FILE` says: call that first.
     """
     from vrts.assignments.packed import is_packed
     from vrts.assignments.task_check import check_task

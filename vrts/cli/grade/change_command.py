@@ -1,5 +1,6 @@
 """`vrts grade change`."""
 
+import shlex
 from datetime import date
 from fractions import Fraction
 from pathlib import Path
@@ -77,8 +78,9 @@ def command(
 
     STUDENT is an id, or a name or address that only one student has. The change is added to the end
     of OUT/staff/overrides.toml. You may also edit that file; comments in it stay. The change is
-    shown beside the computed mark, and counts whenever the class is marked again. Several changes
-    for one student are made one after the other.
+    shown beside the computed mark. Exports count it at once, and so does marking again; `vrts grade
+    decisions OUT` brings lists and pages up to date. Several changes for one student are made one
+    after the other.
 
     A mark that was unsafe is decided by `--mark`; by `--delta` (which may be 0) where `--settles`
     names the reason. An export no longer asks for it then. Where there is no mark, as for what
@@ -105,10 +107,12 @@ def command(
     show_diagnostics(overrides.diagnostics, color)
     after = with_by_hand(row, by_hand)
     show_diagnostics(all_lapses([after], by_hand), color)
-    out(f"{row.id}: {_mark(row)} until now, {_mark(after)} when the class is marked again")
+    out(f"{row.id}: {_mark(row)} until now, {_mark(after)} from now on")
     for doubt in after.unsafe:
         out(f"still unsafe: {doubt.reason.value}: {one_line(doubt.sentence)}")
     say(f"wrote {written.layout.overrides}")
+    again = f"vrts grade decisions {shlex.quote(str(folder))}"
+    say(f"exports count it at once; `{again}` brings lists and pages up to date")
 
 
 def _decided(row: "Row", settles: tuple[str, ...], delta: Fraction | None) -> tuple[str, ...]:
@@ -126,7 +130,7 @@ def _decided(row: "Row", settles: tuple[str, ...], delta: Fraction | None) -> tu
     if lacking or (settles and not there):
         now = f"it is for {', '.join(there)}" if there else "it is safe now"
         if held and not there:
-            now = "graders have to settle it, with `vrts grade decisions`"
+            now = "graders have to decide that, with `vrts grade decisions`"
         fail(f"the mark of `{row.id}` is not unsafe for this reason: {now}")
     return there if ALL in settles else settles
 

@@ -32,9 +32,9 @@ MOST_NAMES = 5  # of students in a line
 
 @click.command(name="decisions", epilog=EPILOG)
 @click.argument("folder", metavar="OUT", type=click.Path(path_type=Path))
-@click.option("--undo", multiple=True, metavar="NAME", help="Take back a decision. Repeatable.")
+@click.option("--undo", multiple=True, metavar="NAME", help="Undo a decision. Repeatable.")
 @click.option(
-    "--keep", multiple=True, metavar="NAME", help="Settle a conflict: this decision counts."
+    "--keep", multiple=True, metavar="NAME", help="Decide a conflict: this decision counts."
 )
 @click.option("--who", help="Who decides that; needed with `--undo` and `--keep`.")
 @click.option("--reason", default="", help="Why; needed with `--keep`.")
@@ -53,16 +53,16 @@ def command(
     """List what graders decided in OUT, and bring lists, feedback and pages up to date with it.
 
     Every grader has a file in OUT/staff/decisions, to which is only ever added. You may copy files
-    of other graders into it. A decision is called after its file and number, such as r-huber:12.
+    of other graders into it. A decision is named after its file and number, such as r-huber:12.
     What graders decided differently is a conflict: none of it counts, and the mark is unsafe until
-    somebody settles it with --keep, or takes one of the decisions back with --undo. Both are
-    decisions themselves, which --undo takes back. Nothing is deleted.
+    somebody decides it with --keep, or undoes one of the decisions with --undo. Both are decisions
+    themselves, and can be undone. Nothing is deleted.
 
     A decision about a program does not count for another one. It is listed, and the mark is unsafe
-    until it is taken back and decided again. Exit status 1 while there are conflicts.
+    until it is undone and decided again. Exit status 1 while there are conflicts.
     """
     from vrts.marking.by_hand.by_hand import programs_of
-    from vrts.marking.by_hand.decisions.listing import listing
+    from vrts.marking.by_hand.decisions.listing import listing, with_file
     from vrts.marking.by_hand.decisions.state import state_of
     from vrts.marking.layout import Layout
     from vrts.marking.renewing.renewed import renewed
@@ -76,18 +76,18 @@ def command(
     show_diagnostics(found.diagnostics, color)
     ledger = found.by_hand.ledger
     told = listing(ledger, state_of(ledger, programs_of(found.rows.rows)))
+    told = with_file(told, found.rows.rows)
     out(_json(told) if form == "json" else "\n".join(_lines(told, folder)))
     if found.changed:
         rows = "1 row" if len(found.changed) == 1 else f"{len(found.changed)} rows"
         say(f"brought {rows} up to date in {layout.root}")
-    conflicts = any(row.decided and row.decided.conflicts for row in found.rows.rows)
-    sys.exit(WRONG if conflicts or told.conflicts else HOLDS)
+    sys.exit(WRONG if told.conflicts else HOLDS)
 
 
 def _decide(
     folder: Path, undo: "Sequence[str]", keep: "Sequence[str]", who: str | None, reason: str
 ) -> None:
-    """Write down what is taken back and what is settled, all of it or nothing."""
+    """Write down what is undone and what is decided, all of it or nothing."""
     from vrts.marking.appeals.written import read_written
     from vrts.marking.by_hand.by_hand import programs_of
     from vrts.marking.by_hand.decisions.files import add_decisions
@@ -112,7 +112,7 @@ def _decide(
 
 
 def _require_there(ledger: "Ledger", names: "Sequence[str]") -> None:
-    """Refuse to take back what is not there, or was taken back already."""
+    """Refuse to undo what is not there, or was undone already."""
     from vrts.marking.by_hand.decisions.counting import counted
 
     known = {one.name for one in ledger.records}
@@ -122,7 +122,7 @@ def _require_there(ledger: "Ledger", names: "Sequence[str]") -> None:
             _refuse(f"there is no decision `{name}`", "without `--undo` all are listed")
         if name in undone:
             by = undone[name]
-            _refuse(f"`{name}` is taken back already, by `{by}`", f"to have it again, undo `{by}`")
+            _refuse(f"`{name}` is undone already, by `{by}`", f"to have it again, undo `{by}`")
 
 
 def _kept(state: "State", name: str, reason: str) -> "Decision":
@@ -145,7 +145,7 @@ def _refuse(headline: str, remedy: str) -> NoReturn:
 
 
 def _lines(told: "Listing", folder: Path) -> "Iterator[str]":
-    """Yield the list: what is not settled first."""
+    """Yield the list: what is not decided first."""
     from vrts.report.plain import one_line
 
     where = shlex.quote(str(folder))
@@ -157,9 +157,12 @@ def _lines(told: "Listing", folder: Path) -> "Iterator[str]":
     for conflict in told.conflicts:
         about = f"{one_line(conflict.student)}: " if conflict.student else ""
         yield f"  {about}{conflict.sentence}"
+        if not conflict.records:
+            yield "      delete the one in `overrides.toml`, or undo the other with `--undo NAME`"
+            continue
         side = conflict.records[0]
         typed = f"vrts grade decisions {where} --keep {side} --who YOU --reason WHY"
-        yield f"      settle it, for example: {typed}"
+        yield f"      decide it, for example: {typed}"
     if told.items:
         yield "Rubric items:"
     for item in told.items:
@@ -174,7 +177,7 @@ def _lines(told: "Listing", folder: Path) -> "Iterator[str]":
         about = f"{names}: " if names else ""
         yield f"  {one.record}  {one.at[:16].replace('T', ' ')}  {one.who}  {about}{one.sentence}"
         if one.undone_by:
-            yield f"      taken back by {one.undone_by}"
+            yield f"      undone by {one.undone_by}"
         if one.lapsed:
             yield f"      about another program, and does not count: {', '.join(one.lapsed[:5])}"
 

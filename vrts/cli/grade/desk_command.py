@@ -31,14 +31,14 @@ def command(folder: Path, who: str, port: int, no_browser: bool) -> None:
     """Go through a marked class on one page.
 
     OUT is the folder that `vrts grade` wrote with `-o`. The page shows what to look at next, each
-    program beside its replay and its lost points, and what similar programs there are. You write
+    program beside its replay and its lost points, and which programs are alike. You write
     comments, give rubric items, change marks, give extensions and excuses, assign rows to graders
     and mark again.
 
     All that you decide goes into OUT/staff/decisions, into a file of your own, to which vrts only
     ever adds. You can undo everything. Several graders may work on the same folder at once, each
     with a desk of their own: what they decide differently is shown, and counts when somebody
-    settles it.
+    decides which one holds.
 
     Only this machine can reach the page, and only with the address that is printed. Ctrl-C ends it.
     What you have decided is on the disk before the page says so.

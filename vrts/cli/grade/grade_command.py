@@ -15,7 +15,7 @@ SUBCOMMANDS = {
     "reproduce": "mark what is in an evidence zip again, and compare",
     "diff": "compare two markings of a class",
     "change": "change a mark by hand",
-    "decisions": "list what graders decided, and take back or settle it",
+    "decisions": "list what graders decided, undo it, or decide a conflict",
     "desk": "go through a marked class on one page",
     "similarity": "compare the programs of a marking again, also with other folders",
     "session": "mark sessions of the live server",

@@ -184,7 +184,7 @@ def command(
 
     Every submission gets two reports. `students/ID` in the output is for the student alone.
     `staff/students/ID` is for those who mark: it also shows what to review, facts for an appeal,
-    and hidden checks. `staff` holds the marks, the overview of the class, and a ranking of programs
+    and hidden checks. `staff` holds the marks, the overview of the class, and groups of programs
     that are alike. A second call marks only what has changed since. After an interruption (exit
     status 130) the same call goes on. Exit status 0 when every row has a result.
 

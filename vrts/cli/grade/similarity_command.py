@@ -26,8 +26,9 @@ def command(out: Path, others: tuple[Path, ...], color: str) -> None:
 
     OUT is the folder that `vrts grade` wrote with -o. It keeps what is compared in
     staff/similarity/programs.zip. Each --corpus is another such folder, that zip of one, or a
-    folder or zip of programs; what their runs did is known only of markings. Groups, pairs and
-    pages in OUT/staff are written again. No mark changes.
+    folder or zip of programs. Runs can be compared only with an output of `vrts grade`: programs in
+    a plain folder have not been run. Groups, pairs and pages in OUT/staff are written again. No
+    mark changes.
     """
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before numpy: threads do not fork
     from vrts.marking.layout import Layout
@@ -40,5 +41,7 @@ def command(out: Path, others: tuple[Path, ...], color: str) -> None:
     show_diagnostics(corpora.findings, color)
     ranking = redo(layout, corpora)
     strong = sum(one.strength == "strong" for one in ranking.groups)
-    say(f"{ranking.compared} programs compared: {len(ranking.groups)} groups, {strong} strong")
+    groups = "1 group" if len(ranking.groups) == 1 else f"{len(ranking.groups)} groups"
+    programs = "1 program" if ranking.compared == 1 else f"{ranking.compared} programs"
+    say(f"{programs} compared: {groups}, {strong} strong")
     say(f"wrote {layout.staff / PAGE}")

@@ -68,7 +68,7 @@ def _place(
     alike = book.likeness.get(row.id)
     if alike is not None:
         return ALIKE, -alike.score, alike.group, f"like {_others(len(alike.with_))}"
-    return REST, 0, "", "nothing is known against it"
+    return REST, 0, "", "no points lost"
 
 
 def _others(count: int) -> str:

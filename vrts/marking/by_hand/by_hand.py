@@ -129,7 +129,7 @@ def _lapsed(rows: Sequence[Row], by_hand: ByHand) -> Iterator[Diagnostic]:
                 LAPSED,
                 f"`{row.id}`: {one.name} of {one.who} was decided about another program",
                 notes=("it does not count",),
-                help=(f"look again, decide again, and take back `{one.name}`",),
+                help=(f"look again, decide again, and undo `{one.name}`",),
             )
 
 

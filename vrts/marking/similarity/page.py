@@ -213,8 +213,9 @@ def _method(ranking: Ranking) -> Markup:
     strength = (
         "Nearly all pairs of a class are innocent, and show what chance can do. A group is strong"
         f" where at most {STRONG:g} pairs as much alike are expected by chance in the whole class,"
-        f" worth a look up to {LOOK:g}, and weak beyond. The number beside it is 0.5 where one such"
-        " pair is expected. A group holds only those who hang together with all others in it."
+        f" worth a look up to {LOOK:g}, and weak beyond. The bar beside it is half full where one"
+        " such pair is expected by chance. A group holds only those who hang together with all"
+        " others in it."
     )
     words = (groups, strength, what, left_out, meaning)
     return element(

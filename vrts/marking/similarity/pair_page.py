@@ -20,6 +20,7 @@ SAYS = (
     "Two programs may be alike because of one textbook, one lab, one teacher, or help that was"
     " allowed. Read both programs, and hear both students. Likeness changes no mark."
 )
+CHANCE = "0.50 is what one pair of this class would reach by chance"
 KINDS = {
     "motion": "Motion",
     "steps": "Steps",
@@ -51,7 +52,7 @@ def pair_page(
         title: Of the class.
     """
     first, second = (one_line(side.label) for side in sides)
-    strength = f"{link.strength}: {link.score:.2f}"
+    strength = f"{link.strength} ({link.score:.2f}; {CHANCE})"
     others = [one for one in group.members if one not in (link.first, link.second)]
     head = element(
         "header",

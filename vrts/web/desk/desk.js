@@ -207,7 +207,7 @@ export class Desk {
   }
 
   /**
-   * Have records written: what they likely change is shown at once, and taken back if the server refuses.
+   * Have records written: what they likely change is shown at once, and undone if the server refuses.
    * @param {Said[]} records @param {string} words what is then said to have been done @param {Row[]} guesses
    * @param {boolean} kept whether the key for undoing comes back to it
    * @returns {Promise<boolean>} whether it was done

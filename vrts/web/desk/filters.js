@@ -10,7 +10,7 @@ export const FLAGS = [
   ["conflict", "Conflict", "Graders decided differently"],
   ["unsafe", "Unsafe", "Marks that nobody should take for final"],
   ["mine", "Mine", "Assigned to me"],
-  ["open", "Unfinished", "Nobody has finished these; of mine: not I"],
+  ["open", "Unfinished", "Still to be finished: mine by me, the others by anybody"],
   ["alike", "Alike", "Programs that are like another one"],
 ];
 

@@ -53,7 +53,7 @@ export class Replay {
       return;
     }
     this.url = url;
-    this.note.textContent = "The replay is on its way …";
+    this.note.textContent = "Loading the replay …";
     this.waiting = window.setTimeout(() => {
       const name = this.desk.row?.name ?? "";
       this.frame = make("iframe", { src: `${url}#framed=1`, title: `Replay of ${name}`, sandbox: "allow-scripts", loading: "eager" });

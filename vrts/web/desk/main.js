@@ -1,4 +1,4 @@
-// The marker's desk: puts the parts together, and fetches the class.
+// The grading desk: puts the parts together, and fetches the class.
 
 import { button, byId, make, write } from "../live/dom.js";
 import { nextOpen } from "./filters.js";
@@ -97,7 +97,7 @@ function showTop() {
   const { data, online } = desk;
   if (data) {
     write(byId("title"), data.title);
-    document.title = `${data.title} · marker's desk`;
+    document.title = `${data.title} · grading desk`;
     write(byId("me"), data.me.name || data.me.id);
     const problems = data.problems ?? [];
     if (problems.length && problems.join() !== showTop.told) desk.notes.problem("Some files of this marking cannot be read:", problems);

@@ -1,4 +1,4 @@
-// The report in a frame of the marker's desk: shows what the desk asks for, and says what it shows.
+// The report in a frame of the grading desk: shows what the desk asks for, and says what it shows.
 
 /**
  * Obey the page around, if it asked for that in the address, and return who tells it what is shown.

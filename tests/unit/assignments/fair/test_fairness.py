@@ -58,7 +58,7 @@ def test_what_cannot_be_done_is_named_with_its_remedy(tmp_path: Path) -> None:
     lines = list(fair_lines(variants, found))
     assert "[[variants.without]]" in lines
     assert "can1 = [[1040, 170]]" in lines
-    assert "  2 can be done, and are as hard as each other; 1 falls out" in lines
+    assert "  2 can be done and are equally hard; 1 falls out" in lines
 
 
 def test_uneven_variants_fall_out_by_the_bounds_of_the_task(tmp_path: Path) -> None:

@@ -52,7 +52,7 @@ def test_what_falls_out_is_named_and_its_remedy_can_be_pasted(home: Path) -> Non
         file.write(f"\n{remedy}")
     after = checked(home)
     assert after.returncode == 0, after.stderr
-    assert "4 can be done, and are as hard as each other; 0 fall out" in after.stdout
+    assert "4 can be done and are equally hard; 0 fall out" in after.stdout
     assert "9 students of the list have" in after.stdout
 
 

@@ -407,7 +407,10 @@ def test_change_command_adds_to_the_file(marked: Marked, tmp_path: Path) -> None
     words = ("change", "anna", "--from", tmp_path / "out", "--reason", "late bus", "--who", "RH")
     found = call(*words, "--mark", "7,5", "--date", "2026-11-30")
     assert found.exit_code == 0, found.output
-    assert "7.5 when the class is marked again" in found.stdout
+    assert "7.5 from now on" in found.stdout
+    assert "vrts grade decisions" in found.stderr, (
+        "exports count it; this brings the rest up to date"
+    )
     assert 'date = "2026-11-30"' in Layout(tmp_path / "out").overrides.read_text()
     assert call(*words).exit_code == 2
     assert call(*words, "--mark", "7", "--delta", "1").exit_code == 2

@@ -10,6 +10,7 @@ from tests.unit.marking.by_hand.support import AT, change, ledger
 from vrts.base.source import SourceFile
 from vrts.check.task.late_rules import LateRules
 from vrts.marking.by_hand.by_hand import ByHand, all_lapses, with_by_hand
+from vrts.marking.by_hand.decisions.listing import listing, with_file
 from vrts.marking.by_hand.decisions.records import (
     Comment,
     Decide,
@@ -21,7 +22,8 @@ from vrts.marking.by_hand.decisions.records import (
     Item,
     Undo,
 )
-from vrts.marking.by_hand.decisions.state import prepared
+from vrts.marking.by_hand.decisions.sound import flaw_of
+from vrts.marking.by_hand.decisions.state import prepared, state_of
 from vrts.marking.by_hand.overrides import NONE, program_of, read_overrides
 from vrts.marking.exports.feedback import feedback_text
 from vrts.marking.exports.given import Returned
@@ -139,11 +141,22 @@ def test_the_file_and_graders_who_differ_are_a_conflict_too() -> None:
     found = decided(row(), seven, huber=(change("anna", mark="9"),))
     assert (found.final, reasons(found)) == (8.0, [Reason.CONFLICT])
     assert "`overrides.toml` (w): the mark 7" in found.unsafe[0].sentence
+    told = with_file(listing(ledger(), state_of(ledger(), {})), (found,))
+    assert [(one.student, one.records) for one in told.conflicts] == [("anna", ())]
+    assert with_file(told, (found,)) == told, "what is told is not told twice"
     assert not decided(row(), seven, huber=(change("anna", mark="7"),)).unsafe
     assert decided(row(), half, huber=(change("anna", delta="1"),)).final == 9.5
     assert reasons(decided(row(), half, huber=(Excuse(1, AT, ("anna",), "ill"),))) == [
         Reason.CONFLICT
     ]
+
+
+def test_what_graders_decide_again_is_not_settled_by_a_change() -> None:
+    for reason, says in (("lapsed", "decide again"), ("conflict", "which side holds")):
+        flaw = flaw_of(replace(change("anna", delta="1"), settles=(reason,)))
+        assert f"`{reason}` cannot be settled by a change" in flaw
+        assert says in flaw
+    assert flaw_of(replace(change("anna", delta="1"), settles=("late", "all"))) == ""
 
 
 def test_who_is_excused_has_no_mark_and_nothing_to_be_looked_at() -> None:

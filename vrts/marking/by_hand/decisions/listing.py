@@ -1,8 +1,9 @@
 """What graders have decided, as a list for people and for programs."""
 
+from collections.abc import Iterable
 from typing import Annotated, Literal
 
-from msgspec import Meta
+from msgspec import Meta, structs
 
 from vrts.marking.by_hand.decisions.counting import counted
 from vrts.marking.by_hand.decisions.ledger import Ledger
@@ -10,6 +11,7 @@ from vrts.marking.by_hand.decisions.records import Give, Name
 from vrts.marking.by_hand.decisions.state import State, students_of
 from vrts.marking.by_hand.decisions.words import sentence_of
 from vrts.marking.result import Record
+from vrts.marking.row import Row
 
 SCHEMA: Literal["vrts.decided/1"] = "vrts.decided/1"
 
@@ -35,7 +37,9 @@ class Differing(Record, frozen=True):
     about: str
     student: str
     sentence: str
-    records: tuple[Name, ...]
+    records: Annotated[
+        tuple[Name, ...], Meta(description="none where one side stands in overrides.toml")
+    ]
 
 
 class ItemListed(Record, frozen=True):
@@ -103,3 +107,20 @@ def listing(ledger: Ledger, state: State) -> Listing:
         for one in state.conflicts
     )
     return Listing(SCHEMA, decisions, items, differing)
+
+
+def with_file(told: Listing, rows: Iterable[Row]) -> Listing:
+    """Return a listing with what contradicts `overrides.toml`, which is no grader's file.
+
+    Args:
+        told: What the files of graders say.
+        rows: Of the class, with all that is decided.
+    """
+    known = {(one.student, one.sentence) for one in told.conflicts}
+    added = tuple(
+        Differing("file", row.id, sentence, ())
+        for row in rows
+        for sentence in (() if row.decided is None else row.decided.conflicts)
+        if (row.id, sentence) not in known and ("", sentence) not in known
+    )
+    return structs.replace(told, conflicts=(*told.conflicts, *added))

@@ -12,7 +12,7 @@ from vrts.marking.by_hand.decisions.records import (
     Finish,
     Item,
 )
-from vrts.marking.unsafe import ALL, SETTLED
+from vrts.marking.unsafe import ALL, SETTLED, Reason
 
 MOST_POINTS = 1000
 FINEST = 1000  # points have three decimals
@@ -37,7 +37,14 @@ def _flaws(said: Decision) -> Iterable[str]:
             yield from _points(said.delta)
             yield from _mark(said.mark)
             for reason in said.settles:
-                if reason not in (*SETTLED, ALL):
+                if reason == Reason.LAPSED.value:
+                    yield (
+                        "`lapsed` cannot be settled by a change: decide again, and undo what was"
+                        " decided before"
+                    )
+                elif reason == Reason.CONFLICT.value:
+                    yield "`conflict` cannot be settled by a change: decide which side holds"
+                elif reason not in (*SETTLED, ALL):
                     yield f"`{reason[:40]}` is no reason why a mark is unsafe"
         case Extend():
             if not is_time(said.due):

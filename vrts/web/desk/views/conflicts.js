@@ -7,6 +7,11 @@ import { when } from "../words.js";
 /** @typedef {import("../desk.js").Desk} Desk */
 /** @typedef {import("../types.js").Conflict} Conflict */
 
+const WITH_FILE = "A mark in `overrides.toml` and one by a grader differ. Delete the one in that file, or undo the other in the history of the program.";
+
+/** What a conflict is about, in words. @type {Record<string, string>} */
+const ABOUT = { file: "a mark in overrides.toml" };
+
 /** The view. */
 export class Conflicts {
   /** @param {Desk} desk */
@@ -29,7 +34,7 @@ export class Conflicts {
     this.seen = seen;
     const had = this.place.contains(document.activeElement);
     this.place.replaceChildren(make("section", {}, make("h2", { text: "Conflicts" }),
-      make("p", { class: "soft", text: conflicts.length ? "Two graders decided differently about the same thing. Neither counts, and the mark is unsafe, until somebody says which one holds." : "No two graders contradict each other." })),
+      make("p", { class: "soft", text: conflicts.length ? "Two decisions about the same thing differ. Neither counts, and the mark is unsafe, until somebody says which one holds." : "No two decisions contradict each other." })),
       ...conflicts.map((conflict) => this.card(conflict)));
     if (had) this.place.focus({ preventScroll: true }); // what had the keyboard may be gone
   }
@@ -40,7 +45,7 @@ export class Conflicts {
     const row = conflict.student ? desk.rows.get(conflict.student) : undefined;
     const reason = make("input", { "aria-label": "Reason", placeholder: "Why this one holds", maxlength: 500, value: this.drafts.get(conflict.id) ?? "" });
     reason.addEventListener("input", () => this.drafts.set(conflict.id, reason.value));
-    const title = make("h3", {}, ...(row ? [`${row.name}: ${conflict.about}`] : prose(conflict.sentence)));
+    const title = make("h3", { text: row ? `${row.name}: ${ABOUT[conflict.about] ?? conflict.about}` : "A rubric item" });
     const decide = async (/** @type {string} */ keep, /** @type {string} */ sentence) => {
       if (!reason.value.trim()) {
         missing(reason, "Give a reason: it is kept with the decision.");
@@ -49,11 +54,14 @@ export class Conflicts {
       const over = conflict.sides.map((side) => side.record).filter((record) => record !== keep);
       if (await desk.act([{ does: "decide", keep, over, reason: reason.value.trim() }], `Decided: ${sentence}`)) this.drafts.delete(conflict.id);
     };
-    return make("section", { class: "dispute", "aria-label": conflict.sentence }, title,
-      ...(row ? [make("p", {}, button(`Look at ${row.name}`, () => {
-        desk.show("work");
-        void desk.choose(row.id);
-      }, { class: "as-link" }))] : []),
+    const look = row ? [make("p", {}, button(`Look at ${row.name}`, () => {
+      desk.show("work");
+      void desk.choose(row.id);
+    }, { class: "as-link" }))] : [];
+    const told = make("p", {}, ...prose(conflict.sentence));
+    if (!conflict.sides.length) return make("section", { class: "dispute", "aria-label": conflict.sentence }, title, told, make("p", {}, ...prose(WITH_FILE)), ...look);
+    return make("section", { class: "dispute", "aria-label": conflict.sentence }, title, told,
+      ...look,
       make("label", { class: "reason" }, "Reason ", reason),
       make("div", { class: "sides" }, ...conflict.sides.map((side) => make("article", { class: "side" },
         make("p", { class: "soft", text: `${desk.nameOf(side.who)}, ${when(side.at)}` }),

@@ -54,7 +54,7 @@ export class StatisticsView {
   checks(data) {
     if (!data.checks.length) return make("p", { class: "soft", text: "No check was made." });
     return make("div", {},
-      make("p", { class: "soft", text: "Discrimination: how well a check tells strong programs from weak ones, from −1 to 1. Near 0 or below, look at the check." }),
+      make("p", { class: "soft", text: "Discrimination, from −1 to 1: near 1, who passes this check does well elsewhere too; near 0 it tells nothing of that; below 0, look whether it asks for what you meant." }),
       make("div", { class: "check-cards" }, ...data.checks.map((check) => make("article", { class: "check-card" },
         make("h3", {}, ...prose(check.title || check.id)),
         histogram(check.histogram, check.title || check.id, { small: true }),

@@ -8,6 +8,9 @@ import { after, amount, counted, exact, mark, points, typed, withOffset } from "
 /** @typedef {import("../desk.js").Desk} Desk */
 /** @typedef {import("../types.js").Said} Said */
 
+/** These a change does not settle: graders decide them again. */
+const OF_GRADERS = new Set(["conflict", "lapsed"]);
+
 /** Points added, or a mark in place of the computed one. */
 export class ByHand {
   /** @param {Desk} desk */
@@ -31,7 +34,7 @@ export class ByHand {
   }
 
   fill() {
-    const doubts = [...new Set((this.desk.row?.unsafe ?? []).map((doubt) => doubt.reason))].filter((reason) => reason !== "conflict");
+    const doubts = [...new Set((this.desk.row?.unsafe ?? []).map((doubt) => doubt.reason))].filter((reason) => !OF_GRADERS.has(reason));
     const kept = new Set(this.chosen());
     this.settles.replaceChildren(make("legend", { text: "This also settles" }), ...doubts.map((reason) =>
       make("label", { class: "check" }, make("input", { type: "checkbox", value: reason, checked: kept.has(reason) }), reason)));

@@ -14,7 +14,7 @@ export function spoken(desk, comment, jump) {
   if (comment.stale) about.append(" · ", make("b", { text: "about an earlier program" }));
   const time = comment.time_s;
   if (time !== null && time !== undefined) about.append(" · ", button(`at ${moment(time)}`, () => jump(time), { class: "jump" }));
-  about.append(" ", button("Take back", () => void desk.undo([comment.record], "The comment"), { class: "jump", "aria-label": `Take back the comment of ${comment.name || comment.who}` }));
+  about.append(" ", button("Undo", () => void desk.undo([comment.record], "The comment"), { class: "jump", "aria-label": `Undo the comment of ${comment.name || comment.who}` }));
   box.append(make("p", { class: "said", text: comment.text }), about);
   return box;
 }
@@ -78,7 +78,7 @@ export class Comments {
     const loose = (this.desk.detail?.comments ?? []).filter((comment) => !comment.line || comment.line > lines);
     const had = this.list.contains(document.activeElement);
     this.list.replaceChildren(...loose.map((comment) => spoken(this.desk, comment, (time) => this.replay.show(time))));
-    if (had) this.text.focus({ preventScroll: true }); // the comment that was taken back is gone
+    if (had) this.text.focus({ preventScroll: true }); // the comment that was undone is gone
   }
 
   /** Say where a comment would stand. */

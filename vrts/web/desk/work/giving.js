@@ -7,7 +7,7 @@ import { after, amount } from "../words.js";
 /** @typedef {import("../types.js").Said} Said */
 
 /**
- * Return a record for each student, so that each can be taken back alone.
+ * Return a record for each student, so that each can be undone alone.
  * @param {Item} item @param {string[]} students @param {{line?: number | null, time_s?: number | null}} where @returns {Said[]}
  */
 export function gives(item, students, where = {}) {

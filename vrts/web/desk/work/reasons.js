@@ -105,7 +105,7 @@ export class Reasons {
         make("p", {}, ...prose(one.sentence)),
         make("p", { class: "soft", text: `${one.name || one.who}, ${when(one.at)}${one.students > 1 ? `, for ${counted(one.students, "student")}` : ""}${one.undone_by ? `, undone by ${one.undone_by.split(":")[0]}` : ""}` }));
       const by = one.undone_by;
-      if (by) entry.append(button("Restore", () => void this.desk.undo([by], `undoing of ${one.sentence}`), { class: "jump", "aria-label": `Restore: ${one.sentence}` }));
+      if (by) entry.append(button("Undo the undo", () => void this.desk.undo([by], `undoing of ${one.sentence}`), { class: "jump", "aria-label": `Undo the undo: ${one.sentence}` }));
       else entry.append(button("Undo", () => void this.undo(one), { class: "jump", "aria-label": `Undo: ${one.sentence}` }));
       return entry;
     }))];
