@@ -82,7 +82,8 @@ class Desk:
             _require_still(rests_on(asked), shown, facts_of(before.book))
             said = completed(asked, shown)
             now = datetime.fromtimestamp(wall(), UTC).astimezone()
-            made = add_decisions(folder, self.me.name, said, now)
+            total = before.book.rows.total
+            made = add_decisions(folder, self.me.name, said, now, total)
         if made.grader.id != self.me.id:  # somebody whose name looks alike began meanwhile
             self.me = GraderTold(made.grader.id, made.grader.name)
             self._shelf.seen_by(self.me.id)

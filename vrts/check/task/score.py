@@ -152,8 +152,12 @@ def rounded_mark(parts: Parts, total: Fraction) -> Fraction:
 
 def to_tenth(points: Fraction, total: Fraction) -> Fraction:
     """Return points as a mark: rounded half up to a tenth, from 0 to the total."""
-    tenths = (points / TENTH + Fraction(1, 2)).__floor__()
-    return min(total, max(NOTHING, tenths * TENTH))
+    return min(total, max(NOTHING, in_tenths(points)))
+
+
+def in_tenths(points: Fraction) -> Fraction:
+    """Return points rounded half up to a tenth."""
+    return (points / TENTH + Fraction(1, 2)).__floor__() * TENTH
 
 
 def _time_share(achieved: Achieved, t_par: Fraction, t_max: Fraction) -> Fraction:

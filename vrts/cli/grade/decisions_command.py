@@ -36,6 +36,9 @@ MOST_NAMES = 5  # of students in a line
 @click.option(
     "--keep", multiple=True, metavar="NAME", help="Decide a conflict: this decision counts."
 )
+@click.option(
+    "--student", multiple=True, metavar="ID", help="With `--keep`: for this student only. Repeatable."
+)
 @click.option("--who", help="Who decides that; needed with `--undo` and `--keep`.")
 @click.option("--reason", default="", help="Why; needed with `--keep`.")
 @form_option("full", "json")
@@ -45,6 +48,7 @@ def command(
     folder: Path,
     undo: tuple[str, ...],
     keep: tuple[str, ...],
+    student: tuple[str, ...],
     who: str | None,
     reason: str,
     form: str,
@@ -56,7 +60,8 @@ def command(
     of other graders into it. A decision is named after its file and number, such as r-huber:12.
     What graders decided differently is a conflict: none of it counts, and the mark is unsafe until
     somebody decides it with --keep, or undoes one of the decisions with --undo. Both are decisions
-    themselves, and can be undone. Nothing is deleted.
+    themselves, and can be undone. Nothing is deleted. --keep decides it for all who share the
+    conflict now, or for each --student; --undo undoes a decision for all whom it is about.
 
     A decision about a program does not count for another one. It is listed, and the mark is unsafe
     until it is undone and decided again. Exit status 1 while there are conflicts.
@@ -68,8 +73,10 @@ def command(
     from vrts.marking.renewing.renewed import renewed
 
     layout = Layout(folder)
+    if student and not keep:
+        fail("`--student` is for `--keep`")
     if undo or keep:
-        _decide(layout.root, undo, keep, who, reason)
+        _decide(layout.root, undo, keep, student, who, reason)
     elif who or reason:
         fail("`--who` and `--reason` are for `--undo` and `--keep`")
     found = renewed(layout)
@@ -85,14 +92,19 @@ def command(
 
 
 def _decide(
-    folder: Path, undo: "Sequence[str]", keep: "Sequence[str]", who: str | None, reason: str
+    folder: Path,
+    undo: "Sequence[str]",
+    keep: "Sequence[str]",
+    students: "Sequence[str]",
+    who: str | None,
+    reason: str,
 ) -> None:
     """Write down what is undone and what is decided, all of it or nothing."""
     from vrts.marking.appeals.written import read_written
     from vrts.marking.by_hand.by_hand import programs_of
     from vrts.marking.by_hand.decisions.files import add_decisions
-    from vrts.marking.by_hand.decisions.records import Undo
-    from vrts.marking.by_hand.decisions.state import state_of
+    from vrts.marking.by_hand.decisions.records import Decide, Undo
+    from vrts.marking.by_hand.decisions.state import state_of, students_of
 
     if not who:
         fail("say who decides that", ('`--who`, such as `--who "R. Huber"`',))
@@ -106,9 +118,16 @@ def _decide(
         said.append(Undo(0, "", tuple(dict.fromkeys(undo)), reason))
     if keep and not reason.strip():
         fail("`--keep` needs `--reason`: a student may ask")
-    said += [_kept(state, name, reason) for name in dict.fromkeys(keep)]
+    said += [_kept(state, name, students, reason) for name in dict.fromkeys(keep)]
     added = add_decisions(written.layout.decisions, who, said, datetime.now(UTC))
     say(f"wrote {', '.join(one.name for one in added.records)}")
+    for one in said:
+        if isinstance(one, Decide) and one.students:
+            say(f"{one.keep} counts for {_named(one.students)}")
+    for name in undo:
+        whom = [who for one in ledger.records if one.name == name for who in students_of(one.said)]
+        if len(whom) > 1:
+            say(f"{name} is undone for {_named(whom)}")
 
 
 def _require_there(ledger: "Ledger", names: "Sequence[str]") -> None:
@@ -125,15 +144,30 @@ def _require_there(ledger: "Ledger", names: "Sequence[str]") -> None:
             _refuse(f"`{name}` is undone already, by `{by}`", f"to have it again, undo `{by}`")
 
 
-def _kept(state: "State", name: str, reason: str) -> "Decision":
-    """Return the decision that one side of a conflict counts."""
+def _kept(state: "State", name: str, students: "Sequence[str]", reason: str) -> "Decision":
+    """Return the decision that one side of a conflict counts, and for whom."""
     from vrts.marking.by_hand.decisions.records import Decide
 
-    sides = [one.sides for one in state.conflicts if name in {side.name for side in one.sides}]
-    if not sides:
+    found = [one for one in state.conflicts if name in {side.name for side in one.sides}]
+    if not found:
         _refuse(f"`{name}` is in no conflict", "conflicts stand first in the list")
-    over = dict.fromkeys(side.name for found in sides for side in found if side.name != name)
-    return Decide(0, "", name, tuple(over), reason)
+    for student in students:
+        if student not in {one.student for one in found}:
+            headline = f"`{name}` is in no conflict about `{student}`"
+            _refuse(headline, "conflicts stand first in the list, with their students")
+    if students:
+        found = [one for one in found if one.student in students]
+    over = dict.fromkeys(side.name for one in found for side in one.sides if side.name != name)
+    whom = dict.fromkeys(one.student for one in found)
+    return Decide(0, "", name, tuple(over), reason, () if "" in whom else tuple(whom))
+
+
+def _named(students: "Sequence[str]") -> str:
+    """Return names for a line: the first of many."""
+    from vrts.report.plain import one_line
+
+    more = len(students) - MOST_NAMES
+    return ", ".join(map(one_line, students[:MOST_NAMES])) + (f" and {more} more" if more > 0 else "")
 
 
 def _refuse(headline: str, remedy: str) -> NoReturn:
@@ -146,6 +180,7 @@ def _refuse(headline: str, remedy: str) -> NoReturn:
 
 def _lines(told: "Listing", folder: Path) -> "Iterator[str]":
     """Yield the list: what is not decided first."""
+    from vrts.marking.by_hand.decisions.listing import FILE
     from vrts.report.plain import one_line
 
     where = shlex.quote(str(folder))
@@ -158,7 +193,8 @@ def _lines(told: "Listing", folder: Path) -> "Iterator[str]":
         about = f"{one_line(conflict.student)}: " if conflict.student else ""
         yield f"  {about}{conflict.sentence}"
         if not conflict.records:
-            yield "      delete the one in `overrides.toml`, or undo the other with `--undo NAME`"
+            if conflict.about == FILE:
+                yield "      delete the one in `overrides.toml`, or undo the other with `--undo NAME`"
             continue
         side = conflict.records[0]
         typed = f"vrts grade decisions {where} --keep {side} --who YOU --reason WHY"
@@ -171,9 +207,7 @@ def _lines(told: "Listing", folder: Path) -> "Iterator[str]":
         yield f"  {item.points:+g}  {one_line(item.title)} ({item.id}, {count}{ends})"
     yield "Decisions:"
     for one in told.decisions:
-        names = ", ".join(map(one_line, one.students[:MOST_NAMES]))
-        more = len(one.students) - MOST_NAMES
-        names += f" and {more} more" if more > 0 else ""
+        names = _named(one.students)
         about = f"{names}: " if names else ""
         yield f"  {one.record}  {one.at[:16].replace('T', ' ')}  {one.who}  {about}{one.sentence}"
         if one.undone_by:

@@ -3,6 +3,7 @@
 from collections.abc import Collection, Iterator, Sequence
 from datetime import datetime
 from fractions import Fraction
+from itertools import islice
 from typing import NamedTuple
 
 import msgspec
@@ -10,10 +11,11 @@ import msgspec
 from vrts.base.diagnostic import Diagnostic, Rule, warning
 from vrts.check.rules.scheme import TOTAL
 from vrts.check.task.late_rules import LateRules
-from vrts.marking.by_hand.decisions.files import read_decisions
+from vrts.marking.by_hand.decisions.files import UNSOUND, read_decisions
 from vrts.marking.by_hand.decisions.ledger import NONE as NO_LEDGER
 from vrts.marking.by_hand.decisions.ledger import Ledger
 from vrts.marking.by_hand.decisions.records import Extend
+from vrts.marking.by_hand.decisions.sound import beyond
 from vrts.marking.by_hand.decisions.state import NOTHING, Prepared, prepared
 from vrts.marking.by_hand.graded import graded, undecided
 from vrts.marking.by_hand.override_text import load_overrides
@@ -71,7 +73,12 @@ def load_by_hand(
     if ledger.wrong:
         raise Refused(ledger.diagnostics)
     ready = prepared(ledger)
-    told = (*overrides.diagnostics, *ledger.diagnostics, *_unknown(ready, set(known)))
+    told = (
+        *overrides.diagnostics,
+        *ledger.diagnostics,
+        *_unknown(ready, set(known)),
+        *_beyond(ready, total),
+    )
     return ByHand(overrides, ledger, ready, late, told)
 
 
@@ -149,6 +156,18 @@ def _unknown(ready: Prepared, known: Collection[str]) -> Iterator[Diagnostic]:
     for name in ready.circular[:MOST]:
         headline = f"{name} is undone by what it undoes: it has no effect"
         yield warning(UNKNOWN, headline, help=("undo one of them once more",))
+
+
+def _beyond(ready: Prepared, total: Fraction) -> Iterator[Diagnostic]:
+    """Yield warnings of counting marks and points that are above the total."""
+    found = ((one, flaw) for one in ready.counting if (flaw := beyond(one.said, total)))
+    for one, flaw in islice(found, MOST):
+        yield warning(
+            UNSOUND,
+            f"{one.name} of {one.who} cannot be meant: {flaw}",
+            notes=("it does not count, and the marks that it is about are unsafe",),
+            help=(f"decide what is meant, and undo `{one.name}`",),
+        )
 
 
 def programs_of(rows: Sequence[Row]) -> dict[str, str]:

@@ -6,6 +6,7 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from vrts.check.task.late_rules import LateRules
+from vrts.check.task.score import to_tenth
 from vrts.marking.by_hand.decisions.ledger import Filed
 from vrts.marking.by_hand.decisions.records import (
     ChangeMark,
@@ -16,6 +17,7 @@ from vrts.marking.by_hand.decisions.records import (
     Finish,
     Give,
 )
+from vrts.marking.by_hand.decisions.sound import above, beyond
 from vrts.marking.by_hand.decisions.state import OfStudent, Prepared, program_in
 from vrts.marking.by_hand.decisions.words import number, sentence_of
 from vrts.marking.by_hand.excused import excused_result
@@ -43,6 +45,7 @@ class Made(NamedTuple):
 
     steps: tuple[MadeStep, ...] = ()
     change: Change | None = None
+    items: tuple[Given, ...] = ()  # that count
     conflict: str = ""  # between `overrides.toml` and graders; then neither counts
     excused: str = ""
 
@@ -74,12 +77,11 @@ def graded(
         rules: What lateness costs; None: nothing, or nobody knows.
     """
     late, due = _late(row, mine, rules)
-    items = tuple(_items(mine, every))
     after_lateness = final_mark(row.result.exact_mark, late, None, row.result.exact_total)
-    made = _made(row, mine, overrides, items, after_lateness)
+    made = _made(row, mine, overrides, every, after_lateness)
     decided = Decided(
         tuple(_comments(mine)),
-        items,
+        made.items,
         made.steps,
         due,
         made.excused,
@@ -119,10 +121,10 @@ def _comments(mine: OfStudent) -> Iterator[Told]:
             yield Told(said.text, one.who, said.line, said.time_s)
 
 
-def _items(mine: OfStudent, every: Prepared) -> Iterator[Given]:
+def _items(gives: Iterable[Filed], every: Prepared) -> Iterator[Given]:
     """Yield every item once that somebody has given."""
     given: dict[str, list[Filed]] = {}
-    for one in mine.given:
+    for one in gives:
         assert isinstance(one.said, Give)
         given.setdefault(one.said.item, []).append(one)
     for name in sorted(given):
@@ -151,46 +153,97 @@ def _made(
     row: Row,
     mine: OfStudent,
     overrides: Sequence[Override],
-    items: Sequence[Given],
+    every: Prepared,
     after_lateness: Fraction | None,
 ) -> Made:
-    """Return what changes a mark: items, then `overrides.toml`, then graders' changes."""
+    """Return what changes a mark: items, then `overrides.toml`, then graders' changes.
+
+    Items that their grader has given behind a mark by hand are added to it.
+    """
     excuses = [one for one in mine.mark if isinstance(one.said, Excuse)]
-    if excuses:
-        if overrides:
-            return Made(conflict=_against(overrides, excuses))
+    if excuses and not overrides:
         said = excuses[0].said
         assert isinstance(said, Excuse)
         return Made(excused=f"{one_line(said.reason)} ({_names(excuses)})")
+    total = row.result.exact_total
     steps = _Steps(after_lateness or NOTHING)
-    if row.result.exact_mark is not None:
-        for item in items:
-            steps.add(one_line(item.title), Fraction(item.points), f"by {item.who}")
-    before = steps.value
-    of_file = change_of(before, overrides, row.result)
+    first = [one for one in mine.given if one.name not in mine.later]
+    items = tuple(_items(first, every)) if row.result.exact_mark is not None else ()
+    for item in items:
+        steps.add(one_line(item.title), Fraction(item.points), f"by {item.who}")
+    plain = Made(tuple(steps.made), _change(row, steps, items, (), mine.given), items)
+    if excuses:
+        return plain._replace(conflict=_against(overrides, excuses))
+    flaw = _beyond(row, mine, every)
+    if flaw:
+        return plain._replace(conflict=flaw)
+    of_file = change_of(steps.value, overrides, row.result)
     if of_file is not None:
         steps.add(BY_HAND, Fraction(of_file.delta), of_file.reason)
-    changes = [_override(row, one) for one in mine.mark]
-    if changes:
-        first = changes[0]
-        value = steps.value + first.delta if first.delta is not None else first.mark or NOTHING
-        if overrides and first.mark is not None and value != steps.value:
-            return Made(conflict=_against(overrides, mine.mark))
-        steps.add(BY_HAND, value - steps.value, f"{first.reason} ({_names(mine.mark)})")
-    preferred = None if mine.preferred is None else _preferred(row, *mine.preferred)
-    if preferred is not None:
-        assert preferred.mark is not None
-        if (overrides or changes) and preferred.mark != steps.value:
-            assert mine.preferred is not None
-            return Made(conflict=_against(overrides, [*mine.mark, mine.preferred[0]]))
-        delta = preferred.mark - steps.value
-        steps.add(BY_HAND, delta, f"{preferred.reason} ({preferred.who})")
-    by_graders = [*changes, *([] if preferred is None else [preferred])]
+    changes = [_override(row, group) for group in mine.changes]
+    for change in changes:
+        value = steps.value + change.delta if change.delta is not None else change.mark or NOTHING
+        if overrides and change.mark is not None and _differ(value, steps.value, total):
+            return plain._replace(conflict=_against(overrides, mine.mark))
+        steps.add(BY_HAND, value - steps.value, f"{change.reason} ({change.who})")
+    known = {item.item for item in items}
+    behind = [one for one in mine.given if one.name in mine.later]
+    for item in _items(behind, every):
+        if item.item not in known:
+            steps.add(one_line(item.title), Fraction(item.points), f"by {item.who}")
+            items = (*items, item)
+    by_graders = list(changes)
+    if mine.preferred is not None:
+        preferred = _preferred(row, *mine.preferred, steps.value)
+        if preferred is not None and preferred.delta is not None:
+            if overrides and preferred.delta:
+                return plain._replace(conflict=_against(overrides, [mine.preferred[0]]))
+            since = _since(mine, every) if preferred.delta else ""
+            if since:
+                return plain._replace(conflict=since)
+            steps.add(BY_HAND, preferred.delta, f"{preferred.reason} ({preferred.who})")
+            by_graders.append(preferred)
     if not by_graders and not (items and steps.made):
         return Made(change=of_file)
-    dates = [one.said.at[:10] for one in mine.given] if items else []
-    change = _change(row, steps, items, [*overrides, *by_graders], dates)
-    return Made(tuple(steps.made), change)
+    change = _change(row, steps, items, [*overrides, *by_graders], mine.given)
+    return Made(tuple(steps.made), change, items)
+
+
+def _differ(one: Fraction, other: Fraction, total: Fraction) -> bool:
+    """Return whether two values are different marks: marks are tenths from 0 to the total."""
+    return to_tenth(one, total) != to_tenth(other, total)
+
+
+def _beyond(row: Row, mine: OfStudent, every: Prepared) -> str:
+    """Return what is above the total of the task, and so cannot be meant; "" for nothing."""
+    total = row.result.exact_total
+    named = [*mine.mark, *([] if mine.preferred is None else [mine.preferred[0]])]
+    found = [f"{one.who} ({one.name}): {text}" for one in named if (text := beyond(one.said, total))]
+    for name in dict.fromkeys(one.said.item for one in mine.given if isinstance(one.said, Give)):
+        if abs(every.items[name].points) > total:
+            found.append(f"item `{name}`: {above(every.items[name].points, total)}")
+    return f"cannot be meant, and does not count: {'; '.join(found)}" if found else ""
+
+
+def _since(mine: OfStudent, every: Prepared) -> str:
+    """Return what was decided after it was decided whose mark counts; "" for nothing."""
+    assert mine.preferred is not None
+    finish, decide = mine.preferred
+    when = datetime.fromisoformat(decide.said.at)
+    found = [one.name for one in (*mine.mark, *mine.given) if _time(one.said.at) > when]
+    for name in dict.fromkeys(one.said.item for one in mine.given if isinstance(one.said, Give)):
+        if every.items[name].at and _time(every.items[name].at) > when:
+            found.append(every.items[name].version)
+    if not found:
+        return ""
+    return (
+        f"{decide.who} ({decide.name}) decided that {finish.name} counts, before"
+        f" {', '.join(dict.fromkeys(found))}: finish it again, and decide again"
+    )
+
+
+def _time(text: str) -> datetime:
+    return datetime.fromisoformat(text)
 
 
 class _Steps:
@@ -210,10 +263,12 @@ def _change(
     steps: _Steps,
     items: Sequence[Given],
     made: Sequence[Override],
-    dates: Sequence[str],
+    given: Iterable[Filed],
 ) -> Change | None:
     if not steps.made:
         return None
+    counting = {item.item for item in items}
+    dates = [o.said.at[:10] for o in given if isinstance(o.said, Give) and o.said.item in counting]
     reasons = [*(one_line(item.title) for item in items), *(one.reason for one in made)]
     who = [*(item.who for item in items), *(one.who for one in made)]
     return Change(
@@ -225,24 +280,28 @@ def _change(
     )
 
 
-def _override(row: Row, one: Filed) -> Override:
-    """Return a change of a grader as one of `overrides.toml`, which settle doubts alike."""
-    said = one.said
-    assert isinstance(said, ChangeMark)
+def _override(row: Row, group: Sequence[Filed]) -> Override:
+    """Return a change of graders as one of `overrides.toml`, which settle doubts alike."""
+    said = [one.said for one in group if isinstance(one.said, ChangeMark)]
+    first = said[0]
+    settles = dict.fromkeys(reason for one in said for reason in one.settles)
     return Override(
         row.id,
-        None if said.delta is None else Fraction(said.delta),
-        None if said.mark is None else Fraction(said.mark),
-        one_line(said.reason),
-        one.who,
-        said.at[:10],
-        said.settles,
-        program_in(said, row.id),
+        None if first.delta is None else Fraction(first.delta),
+        None if first.mark is None else Fraction(first.mark),
+        one_line(first.reason),
+        _names(group),
+        first.at[:10],
+        tuple(settles),
+        program_in(first, row.id),
     )
 
 
-def _preferred(row: Row, finish: Filed, decide: Filed) -> Override | None:
-    """Return the mark of the grader whose mark was decided to count."""
+def _preferred(row: Row, finish: Filed, decide: Filed, value: Fraction) -> Override | None:
+    """Return what the mark of the grader whose mark was decided to count adds to a value.
+
+    It settles no doubt: that two graders agree on a mark does not say when it was handed in.
+    """
     said, why = finish.said, decide.said
     assert isinstance(said, Finish)
     assert isinstance(why, Decide)
@@ -250,7 +309,9 @@ def _preferred(row: Row, finish: Filed, decide: Filed) -> Override | None:
         return None
     reason, who = one_line(why.reason), f"{finish.who}, decided by {decide.who}"
     mark = Fraction(said.mark)
-    return Override(row.id, None, mark, reason, who, why.at[:10], (), said.program)
+    same = not _differ(mark, value, row.result.exact_total)
+    delta = NOTHING if same else mark - value
+    return Override(row.id, delta, None, reason, who, why.at[:10], (), said.program)
 
 
 def _against(overrides: Iterable[Override], others: Iterable[Filed]) -> str:

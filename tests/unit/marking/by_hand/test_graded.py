@@ -33,6 +33,7 @@ from vrts.marking.result import Kind, Program
 from vrts.marking.row import (
     Class,
     HandedIn,
+    MadeStep,
     Row,
     Student,
     class_from_bytes,
@@ -111,7 +112,67 @@ def test_marks_stay_between_nothing_and_all_points() -> None:
 def test_items_come_before_what_is_changed_by_hand() -> None:
     found = decided(row(), huber=(ITEM, GIVEN), lang=(change("anna", delta="1"),))
     assert found.final == 8.5
-    assert decided(row(), huber=(ITEM, GIVEN), lang=(change("anna", mark="7"),)).final == 7.0
+    assert decided(row(), huber=(ITEM, GIVEN, change("anna", mark="7"))).final == 7.0
+
+
+def test_points_add_up_and_only_marks_take_the_place_of_what_was_before() -> None:
+    half = change("anna", delta="-1/2")
+    both = (half, replace(half, reason="also this"))
+    found = decided(row(), huber=both)
+    assert (found.final, found.unsafe) == (7.0, ())
+    assert [one.delta for one in steps_made(found)] == ["-1/2", "-1/2"]
+    assert decided(row(), huber=(half, half)).final == 7.0  # twice, by one grader
+    assert decided(row(), huber=(*both, change("anna", mark="7"))).final == 7.0
+    assert decided(row(), huber=(change("anna", mark="7"), half)).final == 6.5
+    ill = Excuse(1, AT, ("anna",), "ill")
+    assert decided(row(), huber=(ill, half)).result.kind is Kind.EXCUSED
+    assert decided(row(), huber=(ill,), lang=(half,)).result.kind is Kind.EXCUSED
+    assert decided(row(), huber=(half, ill, Undo(1, AT, ("huber:2",)))).final == 7.5
+
+
+def test_points_of_two_graders_add_up_unless_they_are_for_the_same_reason() -> None:
+    half = change("anna", delta="-1/2")
+    found = decided(row(), huber=(half,), lang=(replace(half, reason="also this"),))
+    assert (found.final, found.unsafe) == (7.0, ())
+    once = decided(row(), huber=(half,), lang=(replace(half, reason="Looked  at"),))
+    assert (once.final, once.unsafe) == (7.5, ())
+    assert once.change is not None
+    assert once.change.who == "Huber, Lang"
+    more = change("anna", delta="-1")
+    assert reasons(decided(row(), huber=(half,), lang=(more,))) == [Reason.CONFLICT]
+
+
+def test_a_mark_swallows_nothing_that_another_grader_has_given() -> None:
+    seven = change("anna", mark="7")
+    files = {"huber": (ITEM, seven), "mayr": (GIVEN,)}
+    found = decided(row(), **files)
+    assert (found.final, reasons(found)) == (7.5, [Reason.CONFLICT])
+    mark = decided(row(), **files, boss=(Decide(1, AT, "huber:2", ("mayr:1",), "agreed"),))
+    assert (mark.final, mark.unsafe) == (7.0, ())
+    assert mark.decided is not None
+    assert not mark.decided.items  # the student reads of nothing that does not count
+    item = decided(row(), **files, boss=(Decide(1, AT, "mayr:1", ("huber:2",), "agreed"),))
+    assert (item.final, item.unsafe) == (7.5, ())
+    assert decided(row(), huber=(ITEM, seven, GIVEN)).final == 6.5  # behind the mark: added
+    assert not decided(row(), huber=(ITEM, GIVEN, seven), mayr=(GIVEN,)).unsafe  # known to Huber
+    points = {"huber": (seven,), "mayr": (change("anna", delta="-1/2"),)}
+    assert reasons(decided(row(), **points)) == [Reason.CONFLICT]
+
+
+def test_more_than_there_is_to_get_cannot_be_meant() -> None:
+    for said in (change("anna", mark="75"), change("anna", delta="-11")):
+        found = decided(row(), huber=(said,))
+        assert (found.final, reasons(found)) == (8.0, [Reason.CONFLICT])
+        assert "where marks are out of 10" in found.unsafe[0].sentence
+        assert not decided(row(), huber=(said, Undo(1, AT, ("huber:1",)))).unsafe
+    found = decided(row(), huber=(replace(ITEM, points="-20"), GIVEN))
+    assert reasons(found) == [Reason.CONFLICT]
+
+
+def steps_made(found: Row) -> tuple[MadeStep, ...]:
+    """Return the parts of the change by hand."""
+    assert found.decided is not None
+    return found.decided.steps
 
 
 def test_a_conflict_counts_for_neither_and_makes_the_mark_unsafe() -> None:
@@ -133,6 +194,35 @@ def test_marks_of_two_graders_that_differ_are_settled_by_one_of_them() -> None:
     assert (found.final, reasons(found)) == (8.5, [])
     assert found.change is not None
     assert found.change.who == "Lang, decided by Boss"
+
+
+def test_whose_mark_counts_settles_no_doubt_and_holds_until_something_changes() -> None:
+    late = row(8.0, None)
+    files = {"huber": (Finish(1, AT, "anna", "9"),), "lang": (Finish(1, AT, "anna", "7"),)}
+    settles = Decide(1, AT, "lang:1", ("huber:1",), "agreed")
+    found = decided(late, **files, boss=(settles,))
+    assert (found.final, reasons(found)) == (7.0, [Reason.LATE])
+    before = (replace(ITEM, at="2026-11-26T19:00:00+00:00"), GIVEN)
+    assert decided(row(), **files, boss=(settles,), mayr=before).final == 7.0
+    given = replace(GIVEN, at="2026-11-26T20:00:01+00:00")
+    found = decided(row(), **files, boss=(settles,), mayr=(ITEM, given))
+    assert (found.final, reasons(found)) == (7.5, [Reason.CONFLICT])
+    changed = (ITEM, GIVEN, replace(ITEM, points="-1", at="2026-11-26T20:00:01+00:00"))
+    found = decided(row(), **files, boss=(settles,), mayr=changed)
+    assert (found.final, reasons(found)) == (7.0, [])  # it comes to the same
+    changed = (ITEM, GIVEN, replace(ITEM, points="-2", at="2026-11-26T20:00:01+00:00"))
+    assert reasons(decided(row(), **files, boss=(settles,), mayr=changed)) == [Reason.CONFLICT]
+
+
+def test_marks_that_are_written_alike_are_no_conflict() -> None:
+    files = {"huber": (Finish(1, AT, "anna", "27/4"),), "lang": (Finish(1, AT, "anna", "34/5"),)}
+    assert not decided(row(), **files).unsafe
+    head = '[[change]]\nstudent = "anna"\nreason = "r"\nwho = "w"\ndate = "2026-11-30"\n'
+    assert not decided(row(), f"{head}mark = 6.75\n", huber=(change("anna", mark="34/5"),)).unsafe
+    two = {**files, "mayr": (Finish(1, AT, "anna", "5"),), "rest": (change("anna", delta="-5/4"),)}
+    kept = decided(row(), **two, boss=(Decide(1, AT, "lang:1", ("mayr:1",), "agreed"),))
+    assert (kept.final, kept.unsafe) == (6.8, ())
+    assert [one.delta for one in steps_made(kept)] == ["-5/4", "0"]
 
 
 def test_the_file_and_graders_who_differ_are_a_conflict_too() -> None:

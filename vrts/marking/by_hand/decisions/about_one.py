@@ -35,8 +35,11 @@ def about_student(ledger: Ledger, student: str) -> bytes:
     }
     kept: dict[str, Decision] = {**mine, **versions}
     for one in ledger.records:  # in any order: an undo may undo another one
-        if isinstance(one.said, Undo | Decide):
+        if isinstance(one.said, Undo):
             kept[one.name] = one.said
+        elif isinstance(one.said, Decide) and student in (one.said.students or (student,)):
+            only = (student,) if one.said.students else ()
+            kept[one.name] = msgspec.structs.replace(one.said, students=only)
     names = _reached(kept)
     lines = [
         msgspec.json.encode(_line(one, kept[one.name], names))

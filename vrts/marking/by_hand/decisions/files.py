@@ -5,6 +5,7 @@ import sys
 from collections.abc import Generator, Sequence
 from contextlib import contextmanager
 from datetime import datetime
+from fractions import Fraction
 from pathlib import Path
 from typing import NamedTuple
 
@@ -25,7 +26,7 @@ from vrts.marking.by_hand.decisions.ledger import (
     lines_of,
 )
 from vrts.marking.by_hand.decisions.records import SCHEMA, Beginning, Decision
-from vrts.marking.by_hand.decisions.sound import flaw_of
+from vrts.marking.by_hand.decisions.sound import beyond, flaw_of
 from vrts.pipeline.files import CannotRead
 from vrts.pipeline.refused import Refused
 
@@ -61,7 +62,7 @@ def read_decisions(folder: Path) -> Ledger:
             continue
         ours = name.endswith(ENDING) and ID.match(name.removesuffix(ENDING))
         if path.is_symlink() or not path.is_file() or not ours:
-            said.append(_foreign(name))
+            said.append(_foreign(name, like=name.lower().endswith(ENDING)))
             continue
         if len(found) == MOST_FILES:
             raise CannotRead(f"`{folder}` has more than {MOST_FILES} files of graders")
@@ -79,13 +80,17 @@ def _bytes(path: Path) -> bytes:
         raise CannotRead(f"cannot read `{path}`: {reason}") from problem
 
 
-def _foreign(name: str) -> Diagnostic:
+def _foreign(name: str, *, like: bool) -> Diagnostic:
+    """Return that a file is not read: an error where it is called like one that would be."""
     headline = f"`{name}` in the folder of decisions is no file of a grader, and is not read"
     remedies = (
         "files of graders are called as vrts has called them: do not rename them",
         "delete the file, or take it somewhere else",
     )
-    return warning(NOT_DECISIONS, headline, help=remedies)
+    if not like:
+        return warning(NOT_DECISIONS, headline, help=remedies)
+    notes = ("decisions may be in it, so no mark is made while it is there",)
+    return error(NOT_DECISIONS, headline, notes=notes, help=remedies)
 
 
 def grader_in(folder: Path, name: str) -> Grader:
@@ -106,7 +111,11 @@ def _names(folder: Path) -> dict[str, str]:
 
 
 def add_decisions(
-    folder: Path, name: str, said: Sequence[Decision], now: datetime | None = None
+    folder: Path,
+    name: str,
+    said: Sequence[Decision],
+    now: datetime | None = None,
+    total: Fraction | None = None,
 ) -> Added:
     """Write records at the end of a grader's file: all of them, or none.
 
@@ -117,6 +126,7 @@ def add_decisions(
         name: Of the grader, as people write it.
         said: Records; their numbers do not count.
         now: Time with its offset for those without one; None: they all have one.
+        total: Marks are out of so many points, and nothing is above; None: it is not looked.
 
     Raises:
         CannotRead: A file cannot be read.
@@ -126,6 +136,10 @@ def add_decisions(
         flaw = flaw_of(one if one.at or now is None else _at(one, now))
         if flaw:
             raise Refused((error(UNSOUND, f"a decision cannot be written: {flaw}"),))
+        flaw = "" if total is None else beyond(one, total)
+        if flaw:
+            remedy = "write the mark or the points that are meant"
+            raise Refused((error(UNSOUND, f"this cannot be meant: {flaw}", help=(remedy,)),))
     with locked(folder, LOCK):
         grader = grader_in(folder, name)
         path = folder / f"{grader.id}{ENDING}"

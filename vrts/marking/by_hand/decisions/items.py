@@ -20,6 +20,7 @@ class ItemNow(NamedTuple):
     who: str
     withdrawn: bool = False
     differing: bool = False  # versions differ: it gives nobody anything
+    at: str = ""  # when this version was written, ISO 8601
 
 
 class Items(NamedTuple):
@@ -105,4 +106,5 @@ def _item(name: str, one: Settled) -> ItemNow:
         record.who,
         said.withdrawn and not differing,
         differing,
+        said.at,
     )

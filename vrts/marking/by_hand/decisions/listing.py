@@ -8,12 +8,13 @@ from msgspec import Meta, structs
 from vrts.marking.by_hand.decisions.counting import counted
 from vrts.marking.by_hand.decisions.ledger import Ledger
 from vrts.marking.by_hand.decisions.records import Give, Name
-from vrts.marking.by_hand.decisions.state import State, students_of
+from vrts.marking.by_hand.decisions.state import MARK, State, students_of
 from vrts.marking.by_hand.decisions.words import sentence_of
 from vrts.marking.result import Record
 from vrts.marking.row import Row
 
 SCHEMA: Literal["vrts.decided/1"] = "vrts.decided/1"
+FILE = "file"  # what a conflict with `overrides.toml` is about
 
 
 class Listed(Record, frozen=True):
@@ -38,7 +39,7 @@ class Differing(Record, frozen=True):
     student: str
     sentence: str
     records: Annotated[
-        tuple[Name, ...], Meta(description="none where one side stands in overrides.toml")
+        tuple[Name, ...], Meta(description="none where one side stands in overrides.toml, or undoing is all there is to do")
     ]
 
 
@@ -118,7 +119,7 @@ def with_file(told: Listing, rows: Iterable[Row]) -> Listing:
     """
     known = {(one.student, one.sentence) for one in told.conflicts}
     added = tuple(
-        Differing("file", row.id, sentence, ())
+        Differing(FILE if "`overrides.toml`" in sentence else MARK, row.id, sentence, ())
         for row in rows
         for sentence in (() if row.decided is None else row.decided.conflicts)
         if (row.id, sentence) not in known and ("", sentence) not in known

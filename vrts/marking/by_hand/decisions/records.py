@@ -1,8 +1,9 @@
 """What a grader can write down: one record a line, told apart by `does`.
 
 A record is named `GRADER:NUMBER`, such as `huber:12`. In the file of one grader a later record
-takes the place of an earlier one about the same thing. Between files nothing does: what two graders
-decide differently is a conflict, until a `decide` or an `undo` of somebody settles it.
+takes the place of an earlier one about the same thing; points add up. Between files nothing takes
+the place of anything: what two graders decide differently is a conflict, until a `decide` or an
+`undo` of somebody settles it.
 """
 
 from typing import Annotated, Literal
@@ -129,6 +130,10 @@ class Decide(Said, frozen=True, tag="decide"):
     keep: Name
     over: Annotated[tuple[Name, ...], Meta(min_length=1, max_length=100)]
     reason: Words
+    students: Annotated[
+        tuple[Student, ...],
+        Meta(max_length=5000, description="for whom it is settled; none: all who share it"),
+    ] = ()
 
 
 class Undo(Said, frozen=True, tag="undo"):

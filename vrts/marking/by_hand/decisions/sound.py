@@ -76,6 +76,32 @@ def _points(text: str | None) -> Iterable[str]:
         yield f"`{text}`: points are from -{MOST_POINTS} to {MOST_POINTS}, with three decimals"
 
 
+def beyond(said: Decision, total: Fraction) -> str:
+    """Return why a record cannot be meant where marks are out of so many points; "": it can.
+
+    Marks end at the total, so `75` for `7.5` would be full marks without a word.
+    """
+    match said:
+        case Item():
+            values = (said.points,)
+        case ChangeMark():
+            values = (said.delta, said.mark)
+        case Finish():
+            values = (said.mark,)
+        case _:
+            return ""
+    for text in values:
+        value = Fraction(text or "0")
+        if abs(value) > total:
+            return above(value, total)
+    return ""
+
+
+def above(value: Fraction, total: Fraction) -> str:
+    """Return that points are more than there are."""
+    return f"{float(value):g} points where marks are out of {float(total):g}"
+
+
 def is_time(text: str) -> bool:
     """Return whether a text is a time with its offset, as ISO 8601 writes it."""
     try:

@@ -7,9 +7,11 @@ from fractions import Fraction
 from types import MappingProxyType
 from typing import NamedTuple
 
+from vrts.check.task.score import in_tenths
 from vrts.marking.by_hand.decisions.counting import counted
 from vrts.marking.by_hand.decisions.items import ItemNow, items_of
 from vrts.marking.by_hand.decisions.ledger import Filed, Ledger
+from vrts.marking.by_hand.decisions.marks import Groups, is_base, mark_of
 from vrts.marking.by_hand.decisions.records import (
     Assign,
     ChangeMark,
@@ -42,7 +44,9 @@ class OfStudent(NamedTuple):
 
     comments: tuple[Filed, ...] = ()
     given: tuple[Filed, ...] = ()  # an item may be given more than once, and counts once
-    mark: tuple[Filed, ...] = ()  # changes or excuses that count and say the same
+    mark: tuple[Filed, ...] = ()  # changes or excuses that count
+    changes: Groups = ()  # the same changes: those in a group say the same, and count once
+    later: frozenset[str] = frozenset()  # names of gives that come behind the mark that counts
     extension: tuple[Filed, ...] = ()  # that say the same
     assigned: tuple[str, ...] = ()  # ids of graders
     finished: tuple[Filed, ...] = ()  # the last of each grader
@@ -78,6 +82,7 @@ class Prepared(NamedTuple):
     given: tuple[Filed, ...] = ()  # records that give items
     dangling: tuple[tuple[str, str], ...] = ()  # records, and others they name that are not there
     circular: tuple[str, ...] = ()  # undos in a circle, which have no effect
+    counting: tuple[Filed, ...] = ()  # all that nobody has undone
 
     def of(self, student: str, program: str | None = None) -> OfStudent:
         """Return what is decided about a student.
@@ -88,7 +93,8 @@ class Prepared(NamedTuple):
         """
         if student not in self.about:
             return NOTHING
-        found = _of_student(student, self.about[student], self.decides, program)
+        live = {name for name, item in self.items.items() if item.points and not item.withdrawn}
+        found = _of_student(student, self.about[student], self.decides, program, live)
         mine = dict.fromkeys(_item(one) for one in found.given)
         return found._replace(
             given=tuple(one for one in found.given if _item(one) in self.items),
@@ -130,6 +136,7 @@ def prepared(ledger: Ledger) -> Prepared:
         tuple(one for one in counting if isinstance(one.said, Give)),
         (*dangling, *_kept_nothing(ledger, decides)),
         circular,
+        counting,
     )
 
 
@@ -192,7 +199,11 @@ def _item(one: Filed) -> str:
 
 
 def _of_student(
-    student: str, records: Sequence[Filed], decides: Sequence[Filed], program: str | None
+    student: str,
+    records: Sequence[Filed],
+    decides: Sequence[Filed],
+    program: str | None,
+    live: Collection[str],
 ) -> OfStudent:
     last: dict[tuple[str, str], Filed] = {}  # in one file later takes the place of earlier
     added: list[Filed] = []
@@ -202,29 +213,39 @@ def _of_student(
             added.append(one)
         else:
             last[kind, one.grader] = one
+    of_mark = [one for one in added if isinstance(one.said, ChangeMark | Excuse | Give)]
+    replaced = _replaced(of_mark)
     kept: dict[str, list[Filed]] = defaultdict(list)
     lapsed: list[Filed] = []
     for kind, one in (*(("", one) for one in added), *((k, one) for (k, _), one in last.items())):
         bound = program_in(one.said, student)
+        if one.name in replaced:
+            continue
         if program is not None and bound and bound != program:
             lapsed.append(one)
         else:
             kept[kind].append(one)
     conflicts: list[Conflict] = []
+    mark = mark_of(student, of_mark, {one.name for one in lapsed}, live, decides)
+    for about, sides in mark.conflicts:
+        found = _conflict(MARK, student, sides)
+        conflicts.append(found._replace(id=f"{found.id} {about}") if about else found)
 
     def of(kind: str) -> Settled:
-        found = settled(sorted(kept[kind], key=_place), _content, decides)
+        found = settled(sorted(kept[kind], key=_place), _content, decides, student)
         if found.sides:
             conflicts.append(_conflict(kind, student, found.sides))
         return found
 
-    mark, extension, finish = of(MARK), of(EXTENSION), of(FINISH)
+    extension, finish = of(EXTENSION), of(FINISH)
     named = (one.said.graders for one in kept["assign"] if isinstance(one.said, Assign))
     decided = finish.decided
     return OfStudent(
         tuple(one for one in kept[""] if isinstance(one.said, Comment)),
-        tuple(one for one in kept[""] if isinstance(one.said, Give)),
-        mark.kept,
+        mark.given,
+        mark.mark,
+        mark.changes,
+        mark.later,
         extension.kept,
         tuple(sorted({grader for graders in named for grader in graders})),
         tuple(sorted((one for one in last.values() if isinstance(one.said, Finish)), key=_place)),
@@ -234,11 +255,19 @@ def _of_student(
     )
 
 
+def _replaced(records: Sequence[Filed]) -> set[str]:
+    """Return the names of changes and excuses in whose place a later one of their grader is."""
+    bases = {one.grader: one.said.number for one in records if is_base(one.said)}  # the last
+    return {
+        one.name
+        for one in records
+        if not isinstance(one.said, Give) and one.said.number < bases.get(one.grader, 0)
+    }
+
+
 def _kind(said: Decision) -> str | None:
     """Return what a record is about, where a later one takes its place; None where it adds."""
     match said:
-        case ChangeMark() | Excuse():
-            return MARK
         case Extend():
             return EXTENSION
         case Finish():
@@ -252,15 +281,10 @@ def _kind(said: Decision) -> str | None:
 def _content(one: Filed) -> Hashable:
     said = one.said
     match said:
-        case Excuse():
-            return "excused"
-        case ChangeMark():
-            value = said.delta if said.delta is not None else said.mark
-            return said.delta is not None, Fraction(value or "0")
         case Extend():
             return datetime.fromisoformat(said.due)
         case Finish():
-            return None if said.mark is None else Fraction(said.mark)
+            return None if said.mark is None else in_tenths(Fraction(said.mark))
         case _:
             return None
 

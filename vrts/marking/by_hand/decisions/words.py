@@ -50,7 +50,9 @@ def sentence_of(one: Filed) -> str:
             given = "without a mark" if said.mark is None else f"with {number(Fraction(said.mark))}"
             return f"finished {given}"
         case Decide():
-            return f"{said.keep} counts, {', '.join(said.over)} not: {one_line(said.reason)}"
+            whom = f" for {', '.join(map(one_line, said.students))}" if said.students else ""
+            over = ", ".join(said.over)
+            return f"{said.keep} counts{whom}, {over} not: {one_line(said.reason)}"
         case Undo():
             reason = f": {one_line(said.reason)}" if said.reason else ""
             return f"undone: {', '.join(said.records)}{reason}"

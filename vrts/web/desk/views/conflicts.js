@@ -9,6 +9,8 @@ import { when } from "../words.js";
 
 const WITH_FILE = "A mark in `overrides.toml` and one by a grader differ. Delete the one in that file, or undo the other in the history of the program.";
 
+const WITHOUT = "Decide it again, or undo it in the history of the program.";
+
 /** What a conflict is about, in words. @type {Record<string, string>} */
 const ABOUT = { file: "a mark in overrides.toml" };
 
@@ -34,7 +36,7 @@ export class Conflicts {
     this.seen = seen;
     const had = this.place.contains(document.activeElement);
     this.place.replaceChildren(make("section", {}, make("h2", { text: "Conflicts" }),
-      make("p", { class: "soft", text: conflicts.length ? "Two decisions about the same thing differ. Neither counts, and the mark is unsafe, until somebody says which one holds." : "No two decisions contradict each other." })),
+      make("p", { class: "soft", text: conflicts.length ? "Two decisions about the same thing differ. Neither counts, and the mark is unsafe, until somebody says which one holds: for this student, with all that its grader said about the mark." : "No two decisions contradict each other." })),
       ...conflicts.map((conflict) => this.card(conflict)));
     if (had) this.place.focus({ preventScroll: true }); // what had the keyboard may be gone
   }
@@ -52,14 +54,14 @@ export class Conflicts {
         return;
       }
       const over = conflict.sides.map((side) => side.record).filter((record) => record !== keep);
-      if (await desk.act([{ does: "decide", keep, over, reason: reason.value.trim() }], `Decided: ${sentence}`)) this.drafts.delete(conflict.id);
+      if (await desk.act([{ does: "decide", keep, over, reason: reason.value.trim(), ...(conflict.student ? { students: [conflict.student] } : {}) }], `Decided: ${sentence}`)) this.drafts.delete(conflict.id);
     };
     const look = row ? [make("p", {}, button(`Look at ${row.name}`, () => {
       desk.show("work");
       void desk.choose(row.id);
     }, { class: "as-link" }))] : [];
     const told = make("p", {}, ...prose(conflict.sentence));
-    if (!conflict.sides.length) return make("section", { class: "dispute", "aria-label": conflict.sentence }, title, told, make("p", {}, ...prose(WITH_FILE)), ...look);
+    if (!conflict.sides.length) return make("section", { class: "dispute", "aria-label": conflict.sentence }, title, told, make("p", {}, ...prose(conflict.sentence.includes("`overrides.toml`") ? WITH_FILE : WITHOUT)), ...look);
     return make("section", { class: "dispute", "aria-label": conflict.sentence }, title, told,
       ...look,
       make("label", { class: "reason" }, "Reason ", reason),

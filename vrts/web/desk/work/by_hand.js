@@ -60,6 +60,7 @@ export class ByHand {
     /** @type {Said} */
     const said = { does: "change", students: [row.id], reason };
     const adds = this.kind.value === "delta";
+    if (Math.abs(value ?? 0) > row.total) return missing(this.value, `Marks are out of ${row.total}: ${value} cannot be meant.`);
     if (adds) said.delta = exact(value ?? 0);
     else said.mark = exact(value ?? 0);
     if (settles.length) said.settles = settles;
