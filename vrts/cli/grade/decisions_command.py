@@ -37,7 +37,10 @@ MOST_NAMES = 5  # of students in a line
     "--keep", multiple=True, metavar="NAME", help="Decide a conflict: this decision counts."
 )
 @click.option(
-    "--student", multiple=True, metavar="ID", help="With `--keep`: for this student only. Repeatable."
+    "--student",
+    multiple=True,
+    metavar="ID",
+    help="With `--keep`: for this student only. Repeatable.",
 )
 @click.option("--who", help="Who decides that; needed with `--undo` and `--keep`.")
 @click.option("--reason", default="", help="Why; needed with `--keep`.")
@@ -167,7 +170,9 @@ def _named(students: "Sequence[str]") -> str:
     from vrts.report.plain import one_line
 
     more = len(students) - MOST_NAMES
-    return ", ".join(map(one_line, students[:MOST_NAMES])) + (f" and {more} more" if more > 0 else "")
+    return ", ".join(map(one_line, students[:MOST_NAMES])) + (
+        f" and {more} more" if more > 0 else ""
+    )
 
 
 def _refuse(headline: str, remedy: str) -> NoReturn:
@@ -194,7 +199,8 @@ def _lines(told: "Listing", folder: Path) -> "Iterator[str]":
         yield f"  {about}{conflict.sentence}"
         if not conflict.records:
             if conflict.about == FILE:
-                yield "      delete the one in `overrides.toml`, or undo the other with `--undo NAME`"
+                remedy = "delete the one in `overrides.toml`, or undo the other with `--undo NAME`"
+                yield f"      {remedy}"
             continue
         side = conflict.records[0]
         typed = f"vrts grade decisions {where} --keep {side} --who YOU --reason WHY"

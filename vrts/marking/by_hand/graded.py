@@ -218,7 +218,9 @@ def _beyond(row: Row, mine: OfStudent, every: Prepared) -> str:
     """Return what is above the total of the task, and so cannot be meant; "" for nothing."""
     total = row.result.exact_total
     named = [*mine.mark, *([] if mine.preferred is None else [mine.preferred[0]])]
-    found = [f"{one.who} ({one.name}): {text}" for one in named if (text := beyond(one.said, total))]
+    found = [
+        f"{one.who} ({one.name}): {text}" for one in named if (text := beyond(one.said, total))
+    ]
     for name in dict.fromkeys(one.said.item for one in mine.given if isinstance(one.said, Give)):
         if abs(every.items[name].points) > total:
             found.append(f"item `{name}`: {above(every.items[name].points, total)}")

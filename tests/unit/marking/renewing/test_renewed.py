@@ -142,18 +142,21 @@ def test_the_command_lists_settles_and_takes_back(tmp_path: Path) -> None:
     layout = write_desk_class(tmp_path, 6, decisions=False)
     anna = graded(layout)[0].id
     add(layout, "R. Huber", ChangeMark(0, "", (anna,), "shown in the lab", "1"))
-    add(layout, "A. Lang", ChangeMark(0, "", (anna,), "not shown", "-1"))
+    add(layout, "A. Lang", ChangeMark(0, "", (anna,), "shown in the lab", "-1"))
     add(layout, "A. Lang", Extend(0, "", (anna,), "2026-12-01T00:00:00+01:00", "ill"))
     said = call(layout)
     assert said.exit_code == WRONG
-    assert f"  {anna}: graders differ: A. Lang (a-lang:1): −1 points: not shown" in said.stdout
+    assert f"  {anna}: graders differ: A. Lang (a-lang:1): −1 points: shown in" in said.stdout
     why = ("--who", "Dean", "--reason", "agreed")
-    assert call(layout, "--keep", "r-huber:1", *why).exit_code == HOLDS
+    assert call(layout, "--keep", "r-huber:1", "--student", "nobody", *why).exit_code != HOLDS
+    said = call(layout, "--keep", "r-huber:1", *why)
+    assert said.exit_code == HOLDS
+    assert f"r-huber:1 counts for {anna}" in said.stderr
     found = json.loads(call(layout, "--format", "json").stdout)
     assert (found["conflicts"], len(found["decisions"])) == ([], 4)
     said = call(layout, "--undo", "dean:1", "--who", "R. Huber")
     assert said.exit_code == WRONG
-    assert "taken back by r-huber:2" in said.stdout
+    assert "undone by r-huber:2" in said.stdout
 
 
 @pytest.mark.parametrize(

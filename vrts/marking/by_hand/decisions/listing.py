@@ -39,7 +39,8 @@ class Differing(Record, frozen=True):
     student: str
     sentence: str
     records: Annotated[
-        tuple[Name, ...], Meta(description="none where one side stands in overrides.toml, or undoing is all there is to do")
+        tuple[Name, ...],
+        Meta(description="none where `--keep` does not decide it, as with overrides.toml"),
     ]
 
 

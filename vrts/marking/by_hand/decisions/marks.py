@@ -2,7 +2,7 @@
 
 In one file a mark or an excuse takes the place of what stood before it, and points behind it are
 added to it. Between files points add up as well. A mark beside points or items of another grader is
-a conflict, and so are marks that differ, a mark and an excuse, and other points for the same reason.
+a conflict; so are marks that differ, a mark and an excuse, and other points for the same reason.
 """
 
 from collections import defaultdict
