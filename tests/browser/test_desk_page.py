@@ -18,7 +18,7 @@ from vrts.web.assets import asset
 pytestmark = pytest.mark.browser
 
 WIDE, PHONE = 1366, 390
-MANUAL = Path(__file__).parents[2] / "vrts" / "manual" / "do" / "mark-at-the-desk.md"
+MANUAL = Path(__file__).parents[2] / "vrts" / "manual" / "understand" / "desk.md"
 NAME = "document.getElementById('row-name').textContent"
 MARK = "document.querySelector('.final').textContent"
 NOTES = "document.getElementById('notes').textContent"

@@ -7,6 +7,7 @@ from tests.golden.recipes import followed, recipes, text_of
 MARKING = {  # a process for each program: long
     *("answer-an-appeal", "change-a-mark", "find-copied-programs", "mark-a-class"),
     *("mark-on-other-machines", "mark-without-names", "marks-into-moodle"),
+    *("decide-with-others", "give-each-student-a-variant", "mark-at-the-desk"),
     "see-who-moves-after-a-repair",
     *("bring-it-to-the-robot", "find-what-is-wrong-with-the-robot"),
 }

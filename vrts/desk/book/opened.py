@@ -43,7 +43,8 @@ def open_marking(folder: Path) -> Opened:
     how = _about(layout, folder)
     if how.finished is None and not layout.results.is_file():
         headline = f"the marking in `{folder}` goes on, or was interrupted"
-        remedy = "wait for it, or call `vrts grade` as before: it goes on where it was"
+        again = "call the same `vrts grade` command again"
+        remedy = f"wait for it, or {again}: it goes on where it was"
         raise Refused((error(GOES_ON, headline, help=(remedy,)),))
     rows = read_class(layout.results, folder)
     for row in rows.rows:
