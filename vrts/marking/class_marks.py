@@ -11,10 +11,11 @@ from vrts.marking.intake.row import Attempt
 from vrts.marking.intake.row import Kind as Problem
 from vrts.marking.intake.row import Row as Found
 from vrts.marking.intake.tree.opening import Tree, Unreadable
-from vrts.marking.lateness import best, in_row, lateness, marks
+from vrts.marking.lateness import Marks, best, in_row, lateness, marks
 from vrts.marking.marking import Done, Entry
 from vrts.marking.result import Kind, Result
 from vrts.marking.row import HandedIn, Lateness, Row, Student, row_of
+from vrts.marking.unsafe import WITHOUT_MARK, Doubt, Reason
 
 KINDS = {
     Problem.MISSING: Kind.MISSING,
@@ -23,6 +24,7 @@ KINDS = {
     Problem.UNREADABLE: Kind.UNREAD,
 }  # any other problem: the hand-in is unreadable for anybody, and gets 0
 
+UNBOUNDED = "two engines disagree"  # a review that may also raise a mark
 NOTHING_LATE = Rule("V756", "nothing-late")
 
 Mark = Callable[[Sequence[Entry]], Iterable[Done]]
@@ -64,11 +66,7 @@ def with_best_attempts(
     for row in several:
         names = [name for name, (whose, _) in tried.items() if whose is row]
         worth = [
-            marks(
-                results[name].exact_mark or Fraction(0),
-                lateness(rules, tried[name][1].received, due=row.due),
-                results[name].exact_total,
-            )
+            _worth(results[name], row, tried[name][1], rules, results[name].exact_mark)
             for name in names
         ]
         number = best(worth)
@@ -77,9 +75,48 @@ def with_best_attempts(
         if rules is not None and rules.is_exam:
             why = f"{why}; {row.why}"
         chosen[row.identifier] = replace(
-            row, file=attempt.file, received=attempt.received, why=why, problem=None
+            row,
+            file=attempt.file,
+            received=attempt.received,
+            why=why,
+            problem=None,
+            doubts=tuple(_doubts(row, [results[name] for name in names], number, rules)),
         )
     return tuple(chosen.get(row.identifier, row) for row in found)
+
+
+def _worth(
+    result: Result, row: Found, attempt: Attempt, rules: LateRules | None, mark: Fraction | None
+) -> Marks:
+    """Return what an attempt is worth with a mark, after what lateness costs."""
+    late = lateness(rules, attempt.received, due=row.due)
+    return marks(mark or Fraction(0), late, result.exact_total)
+
+
+def _doubts(
+    row: Found, results: Sequence[Result], chosen: int, rules: LateRules | None
+) -> Iterator[Doubt]:
+    """Yield why another attempt may be better than the one that was chosen."""
+    taken, own = row.attempts[chosen], results[chosen]
+    if own.kind in WITHOUT_MARK:
+        return
+    got = _worth(own, row, taken, rules, own.exact_mark).final
+    least = None if own.lowest is None else Fraction(own.lowest)
+    low = got if least is None else _worth(own, row, taken, rules, least).final
+    for number, (attempt, result) in enumerate(zip(row.attempts, results, strict=True)):
+        if number == chosen:
+            continue
+        which = f"attempt {number + 1} of {len(results)}, `{attempt.file}`,"
+        open_ = result.kind in WITHOUT_MARK or any(UNBOUNDED in text for text in result.review)
+        most = _worth(result, row, attempt, rules, result.exact_total if open_ else None).final
+        if open_ and most > got:
+            reason = WITHOUT_MARK.get(result.kind, Reason.UNDETERMINED)
+            why = result.review[0] if result.review else result.cause
+            yield Doubt(reason, f"{which} may be better than the one that counts: {why}")
+        now = _worth(result, row, attempt, rules, result.exact_mark).final
+        if low < now:
+            words = f"{which} gets {float(now):g}, and counts if the chosen one gets less"
+            yield Doubt(Reason.UNDETERMINED, words)
 
 
 def _has_choice(row: Found) -> bool:
@@ -101,6 +138,7 @@ def class_row(found: Found, result: Result, rules: LateRules | None) -> Row:
             found.why,
             None if received is None else received.isoformat(),
             found.attempt,
+            found.doubts,
         ),
         _late(found, result, rules),
     )

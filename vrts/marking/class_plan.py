@@ -92,7 +92,7 @@ def plan_class(
         taken.rows,
         found,
         remarks,
-        write_rows(taken.rows, download=name_of(submissions)),
+        write_rows(taken.table, download=name_of(submissions)),
         table.path is not None,
         packed,
         doubts,

@@ -11,7 +11,7 @@ from msgspec import Meta, field
 from vrts.check.rules.scheme import TOTAL
 from vrts.check.task.score import to_tenth
 from vrts.marking.result import Damaged, Exact, Mark, Record, Result, check_mark, decoded
-from vrts.marking.unsafe import Doubt, Reason, doubts, in_order
+from vrts.marking.unsafe import ALL, Doubt, Reason, doubts, in_order
 
 CLASS_SCHEMA = "vrts.class/1"
 OF_SESSION = "the last session of the room in which something was done"  # `why` of a hand-in
@@ -34,6 +34,9 @@ class HandedIn(Record, frozen=True):
     why: str = ""
     received: Annotated[str | None, Meta(description="ISO 8601, by the platform")] = None
     attempt: int | None = None
+    doubts: Annotated[
+        tuple[Doubt, ...], Meta(description="why another attempt may be what counts")
+    ] = ()
 
 
 class Lateness(Record, frozen=True):
@@ -171,16 +174,24 @@ def row_of(
         late,
         change,
         None if final is None else float(final),
-        _doubts(result, late, change, decided),
+        _doubts(result, handed_in, late, change, decided),
         decided,
     )
 
 
 def _doubts(
-    result: Result, late: Lateness | None, change: Change | None, decided: Decided | None
+    result: Result,
+    handed_in: HandedIn,
+    late: Lateness | None,
+    change: Change | None,
+    decided: Decided | None,
 ) -> tuple[Doubt, ...]:
     untimed = late.sentence if late is not None and late.review else ""
-    found = doubts(result, untimed=untimed, settled=() if change is None else change.settles)
+    settled = () if change is None else change.settles
+    found = doubts(result, untimed=untimed, settled=settled)
+    if handed_in.doubts and ALL not in settled:
+        others = (doubt for doubt in handed_in.doubts if doubt.reason.value not in settled)
+        found = in_order((*found, *others))
     if decided is None or not (decided.conflicts or decided.lapsed):
         return found
     of_graders = (
@@ -246,7 +257,9 @@ def class_from_bytes(data: bytes) -> Class:
         check_mark(row.result, row.result.mark)
         check_mark(row.result, row.final)
     rows = tuple(
-        msgspec.structs.replace(row, unsafe=_doubts(row.result, row.late, row.change, row.decided))
+        msgspec.structs.replace(
+            row, unsafe=_doubts(row.result, row.handed_in, row.late, row.change, row.decided)
+        )
         for row in found.rows
     )  # as this vrts judges them, whoever wrote them
     judged = msgspec.structs.replace(found, rows=rows)

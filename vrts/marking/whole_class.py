@@ -27,7 +27,7 @@ from vrts.marking.class_marks import (
     with_best_attempts,
 )
 from vrts.marking.intake.exam import counted
-from vrts.marking.intake.row import Intake
+from vrts.marking.intake.row import Intake, Kind
 from vrts.marking.intake.row import Row as Found
 from vrts.marking.intake.tables.edited_table import read_rows
 from vrts.marking.intake.tables.intake_table import write_rows
@@ -138,7 +138,7 @@ def mark_whole_class(
         own = of_class(marker)
         variants = staging / "variants" if layout is None else layout.variants
         table, about_table = table_for(submissions, tree, layout, how)
-        found, remarks, warnings = take_in_class(
+        taken = take_in_class(
             task,
             tree,
             table,
@@ -147,7 +147,7 @@ def mark_whole_class(
             known=lambda rows: None if own is None else own.assign(rows, variants),
             later=_later(layout, how),
         )
-        named, key = found, None
+        named, found, key = taken.rows, taken.rows, None
         if how.pseudonyms and layout is not None:
             key = key_for(layout)
             tree, found = pseudonymised(tree, named, key)
@@ -156,7 +156,7 @@ def mark_whole_class(
                 own.renamed({row.identifier: nameless.identifier for row, nameless in pairs})
         if not found:
             what = f"`{name_of(submissions)}` holds" if name_of(submissions) else "the files hold"
-            raise CannotRead(f"nothing was handed in: {what} no program", remarks)
+            raise CannotRead(f"nothing was handed in: {what} no program", taken.remarks)
         names = [row.identifier for row in found]
         changes = (
             NOBODY if layout is None else load_by_hand(layout, names, task.mark.total, task.late)
@@ -177,9 +177,9 @@ def mark_whole_class(
             rows[name] = with_by_hand(class_row(by_name[name], one.result, task.late), changes)
             told(one, rows[name])
     if key is None:
-        written = write_rows(found, download=name_of(submissions))
+        written = write_rows(taken.table, download=name_of(submissions))
     else:
-        written = names_table(named, key)
+        written = names_table(taken.table, key)
     if how.only is not None:
         pass  # the table of the others stays
     elif layout is not None and key is not None:
@@ -190,9 +190,9 @@ def mark_whole_class(
     return Marked(
         Class("vrts.class/1", task.title, marked),
         tuple(done[row.identifier] for row in found),
-        (*about_table, *remarks),
+        (*about_table, *taken.remarks),
         (
-            *warnings,
+            *taken.warnings,
             *nothing_late(task.late, found),
             *said,
             *changes.diagnostics,
@@ -224,6 +224,7 @@ class TakenIn(NamedTuple):
     rows: tuple[Found, ...]
     remarks: tuple[str, ...]  # of the intake
     warnings: tuple[Diagnostic, ...]  # of the edited table
+    table: tuple[Found, ...]  # the same rows with all attempts, to choose among them again
 
 
 def take_in_class(
@@ -256,14 +257,33 @@ def take_in_class(
     found, warnings = _as_edited(tree, intake, table)
     if how.only is not None:
         found = tuple(row for row in found if row.identifier in how.only)
-    own = {row.identifier: row.due for row in found}
+    as_found = found
     rows = [_extended(row, later(row.identifier), task.late) for row in found]
     found, about_exam = counted(rows, task.late)
     known(found)
     if task.keep is Keep.BEST:
         found = with_best_attempts(tree, found, task.late, mark)
-    found = tuple(replace(row, due=own[row.identifier]) for row in found)  # rows extend by hand
-    return TakenIn(found, intake.remarks, (*warnings, *about_exam))
+    pairs = tuple(zip(as_found, found, strict=True))
+    found = tuple(replace(now, due=was.due) for was, now in pairs)  # rows extend by hand
+    table = tuple(_for_table(was, now) for was, now in pairs)
+    return TakenIn(found, intake.remarks, (*warnings, *about_exam), table)
+
+
+def _for_table(was: Found, now: Found) -> Found:
+    """Return a row that tells what counts, and keeps all that may count by another deadline."""
+    if was.problem is not None and was.problem.kind is Kind.AMBIGUOUS:
+        return replace(was, why=now.why)
+    attempts = was.attempts
+    if attempts and was.problem is None and was.received is not None:
+        attempts = (*attempts[:-1], attempts[-1]._replace(received=was.received))
+    return replace(
+        was,
+        file=now.file,
+        received=now.received,
+        why=now.why,
+        problem=now.problem,
+        attempts=attempts,
+    )
 
 
 def _extended(row: Found, later: datetime | None, rules: LateRules | None) -> Found:

@@ -7,6 +7,8 @@ from datetime import datetime
 from enum import Enum
 from typing import NamedTuple
 
+from vrts.marking.unsafe import Doubt
+
 
 class Platform(Enum):
     """Who gave out an id of a student; the values are those of the table."""
@@ -75,6 +77,7 @@ class Row:
     others: tuple[str, ...] = ()  # files that were not chosen
     group: str = ""  # the same for students who handed in together
     problem: Problem | None = None
+    doubts: tuple[Doubt, ...] = ()  # why another attempt may be what counts
 
     @property
     def title(self) -> str:

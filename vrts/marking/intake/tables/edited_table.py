@@ -12,7 +12,7 @@ from vrts.base.source import Span
 from vrts.base.toml.problems import Problems
 from vrts.marking.intake.candidate import inspect
 from vrts.marking.intake.row import Attempt, Intake, Kind, Platform, Problem, Row, Student
-from vrts.marking.intake.tables.intake_table import COLUMNS, NO, UNKNOWN_TIME, YES
+from vrts.marking.intake.tables.intake_table import COLUMNS, COUNTS, NO, UNKNOWN_TIME, YES
 from vrts.marking.intake.tables.table_text import Cell, read_text, table
 from vrts.marking.intake.tree.content import is_zip
 from vrts.marking.intake.tree.file_names import same_name
@@ -68,7 +68,7 @@ def read_rows(data: bytes, name: str, tree: Tree, fresh: Intake) -> EditedTable:
             help=("save it as `CSV UTF-8`, with the names of the columns in the first line",),
         )
         return EditedTable(None, problems.in_order())
-    reader = _Reader(problems, tree, columns, _flags(fresh))
+    reader = _Reader(problems, tree, columns, fresh)
     rows = tuple(row for line in lines[1:] if (row := reader.row(line)) is not None)
     if reader.is_of_another():
         return EditedTable(None, (_of_another(name, len(reader.missing), lines[0][0].span),))
@@ -87,12 +87,13 @@ class _Reader:
         problems: Problems,
         tree: Tree,
         columns: Sequence[str],
-        flags: Mapping[str, bool],
+        fresh: Intake,
     ) -> None:
         self._problems = problems
         self._tree = tree
         self._columns = columns
-        self._flags = flags  # by file: whether the platform calls it late
+        self._flags = _flags(fresh)  # by file: whether the platform calls it late
+        self._whys = {row.file: row.why for row in fresh.rows}  # as found
         self._taken: dict[str, Span] = {}  # identifiers
         self._there = 0  # files that rows name, and that are in the download
         self.missing: list[tuple[str, Span]] = []  # those that are not
@@ -106,11 +107,17 @@ class _Reader:
         named = file is not None or bool(get["file"].text.strip())
         problem = self._problem(get["problem"], get["file"].span, flaw, named=named)
         received = self._time(get["received"], "received")
-        attempts = self._attempts(get["attempts"])
+        attempts, counted = self._attempts(get["attempts"])
         others = tuple(get["others"].text.split("\n")) if get["others"].text else ()
         flagged = self._flagged(file, others)
-        if file is not None and (not attempts or attempts[-1].file != file):
+        why = get["why"].text.strip()
+        if file is not None and file == counted:  # chosen by vrts: to be chosen again among all
+            attempts = tuple(_at(one, received) if one.file == file else one for one in attempts)
+            file, received = attempts[-1]
+        elif file is not None and problem is None and (not attempts or attempts[-1].file != file):
             attempts = (Attempt(file, received),)
+        if len(attempts) > 1:
+            why = self._whys.get(file, why)
         if identifier is None:
             return None
         return Row(
@@ -122,12 +129,12 @@ class _Reader:
                 self._ids(get["ids"]),
             ),
             file,
-            get["why"].text.strip(),
+            why,
             received,
             flagged,
             self._late(get["late"], flagged),
             self._time(get["due"], "due"),
-            () if problem is not None and not get["attempts"].text.strip() else attempts,
+            attempts,
             others,
             get["group"].text.strip(),
             problem,
@@ -265,21 +272,29 @@ class _Reader:
             found[platform.casefold()] = value.strip()
         return found
 
-    def _attempts(self, cell: Cell) -> tuple[Attempt, ...]:
+    def _attempts(self, cell: Cell) -> tuple[tuple[Attempt, ...], str | None]:
+        """Return the attempts, and the file of the one that vrts chose; None: the latest."""
         found: list[Attempt] = []
+        chosen: str | None = None
         for line in filter(None, cell.text.split("\n")):
-            time, _, name = line.partition(" ")
+            told_of = line.removeprefix(f"{COUNTS} ")
+            time, _, name = told_of.partition(" ")
             file, flaw = self._file(Cell(name, cell.span))
             told = "" if time == UNKNOWN_TIME else time
             received = self._time(Cell(told, cell.span), "attempts")
             if file is not None and flaw is None:
                 found.append(Attempt(file, received))
-        return tuple(found)
+                chosen = chosen if told_of == line else file
+        return tuple(found), chosen
 
     def _value(
         self, cell: Cell, headline: str, remedy: str = "write such as 2026-11-30T23:59:00+01:00"
     ) -> None:
         self._problems.error(INTAKE_VALUE, headline, cell.span, help=(remedy,))
+
+
+def _at(attempt: Attempt, received: datetime | None) -> Attempt:
+    return attempt if received is None else attempt._replace(received=received)
 
 
 def _of_another(name: str, count: int, span: Span) -> Diagnostic:

@@ -26,6 +26,7 @@ COLUMNS = (
 NAME = "intake.csv"
 YES, NO = "yes", "no"
 UNKNOWN_TIME = "-"
+COUNTS = "*"  # before the attempt that counts, where that is not the latest
 
 
 def write_rows(rows: Iterable[Row], delimiter: str = ",", download: str = "") -> bytes:
@@ -57,7 +58,7 @@ def _texts(row: Row) -> tuple[str, ...]:
         student.login,
         "; ".join(f"{platform} {value}" for platform, value in student.ids.items()),
         row.group,
-        "\n".join(map(_attempt, row.attempts)) if len(row.attempts) > 1 else "",
+        "\n".join(_attempt(row, one) for one in row.attempts) if _lists(row) else "",
         "\n".join(row.others),
     )
 
@@ -74,5 +75,12 @@ def time_text(time: datetime | None) -> str:
     return "" if time is None else time.isoformat()
 
 
-def _attempt(attempt: Attempt) -> str:
-    return f"{time_text(attempt.received) or UNKNOWN_TIME} {attempt.file}"
+def _lists(row: Row) -> bool:
+    """Return whether attempts are more than what `file` and `received` tell."""
+    return len(row.attempts) > 1 or (row.problem is not None and bool(row.attempts))
+
+
+def _attempt(row: Row, attempt: Attempt) -> str:
+    another = attempt.file == row.file and attempt != row.attempts[-1]
+    words = f"{time_text(attempt.received) or UNKNOWN_TIME} {attempt.file}"
+    return f"{COUNTS} {words}" if another else words
