@@ -1,6 +1,7 @@
 """From a download to the plan of marking it on other machines, and back to the list of marks."""
 
 from collections.abc import Iterable, Sequence
+from datetime import datetime
 from hashlib import sha256
 from pathlib import Path
 from typing import NamedTuple
@@ -8,8 +9,17 @@ from typing import NamedTuple
 from msgspec import structs
 
 from vrts.base.diagnostic import Diagnostic, Rule, error
-from vrts.marking.by_hand.by_hand import all_lapses, load_by_hand, with_by_hand
+from vrts.check.task.late_rules import Keep
+from vrts.check.task.task import Task
+from vrts.marking.by_hand.by_hand import (
+    all_lapses,
+    later_deadlines,
+    load_by_hand,
+    with_by_hand,
+)
 from vrts.marking.class_marks import class_row, entries, nothing_late
+from vrts.marking.intake.exam import counted
+from vrts.marking.intake.row import Row as Found
 from vrts.marking.intake.tables.intake_table import write_rows
 from vrts.marking.intake.tree.opening import open_place
 from vrts.marking.layout import RESULT, Layout, write_atomically
@@ -26,6 +36,7 @@ from vrts.marking.variants.marker import write_variants
 from vrts.marking.whole_class import (
     HowTo,
     Marked,
+    extended,
     name_of,
     of_class,
     table_for,
@@ -36,6 +47,9 @@ from vrts.pipeline.refused import Refused
 
 OTHER_TASK = Rule("V732", "task-changed-after-the-plan")
 OTHER_TABLE = Rule("V733", "table-edited-after-the-plan")
+MORE_TIME = Rule("V829", "more-time-after-the-plan")
+NAMED = 10  # students in a note
+LISTS_NOT_WRITTEN = "results are merged; lists of marks are not written"
 
 
 class PlannedClass(NamedTuple):
@@ -96,6 +110,7 @@ def plan_class(
         table.path is not None,
         packed,
         doubts,
+        taken.as_found,
     )
     plan = plan._replace(key=structs.replace(plan.key, home=home))
     return PlannedClass(plan, remarks, (*taken.warnings, *nothing_late(task.late, taken.rows)))
@@ -128,7 +143,8 @@ def merged_class(marker: Marker, home: AtHome, layout: Layout) -> Marked:
         layout: Where the results are.
 
     Raises:
-        Refused: The changes by hand have errors, or the table of the intake was edited since.
+        Refused: The changes by hand have errors; or since the plan the table of the intake was
+            edited, or graders gave more time by which another attempt may count.
     """
     task = marker.whole.task
     assert task is not None
@@ -137,6 +153,10 @@ def merged_class(marker: Marker, home: AtHome, layout: Layout) -> Marked:
         raise _edited_since(layout, home)
     names = [row.identifier for row in home.found]
     changes = load_by_hand(layout, names, task.mark.total, task.late)
+    given = later_deadlines(layout)
+    moved = [r.identifier for r in home.attempts if _moves(r, given.get(r.identifier), task)]
+    if moved:
+        raise _more_time(moved, layout, home)
     write_variants(home.variants, layout)
     read = (
         Done(
@@ -177,6 +197,33 @@ def _absolute(place: Place) -> Place:
         scenario=None if place.scenario is None else str(Path(place.scenario).absolute()),
         lab=None if place.lab is None else str(Path(place.lab).absolute()),
     )
+
+
+def _moves(row: Found, later: datetime | None, task: Task) -> bool:
+    """Return whether a later deadline may make another attempt count than the plan chose."""
+    more = extended(row, later, task.late)
+    if more.due == row.due or task.late is None:
+        return False
+    if task.late.is_exam:
+        now, then = (counted([one], task.late).rows[0] for one in (row, more))
+        return (now.file, now.problem, now.attempts) != (then.file, then.problem, then.attempts)
+    due = row.due or task.late.due
+    late = any(one.received is None or one.received > due for one in row.attempts)
+    return task.keep is Keep.BEST and len(row.attempts) > 1 and late
+
+
+def _more_time(moved: Sequence[str], layout: Layout, home: AtHome) -> Refused:
+    whose = "a student" if len(moved) == 1 else f"{len(moved)} students"
+    headline = f"graders gave {whose} more time, and the plan chose attempts without it"
+    names = ", ".join(f"`{name}`" for name in moved[:NAMED])
+    rest = f" and {len(moved) - NAMED} more" if len(moved) > NAMED else ""
+    notes = (f"{names}{rest}: another attempt may count", LISTS_NOT_WRITTEN)
+    what = " ".join(home.submissions)
+    remedies = (
+        f"mark them here with `vrts grade {home.place.task} {what} -o {layout.root}`",
+        "or write the time into the column `due` of the intake's table, and plan again",
+    )
+    return Refused((error(MORE_TIME, headline, notes=notes, help=remedies),))
 
 
 def _edited_since(layout: Layout, home: AtHome) -> Refused:

@@ -225,6 +225,7 @@ class TakenIn(NamedTuple):
     remarks: tuple[str, ...]  # of the intake
     warnings: tuple[Diagnostic, ...]  # of the edited table
     table: tuple[Found, ...]  # the same rows with all attempts, to choose among them again
+    as_found: tuple[Found, ...]  # before attempts were chosen
 
 
 def take_in_class(
@@ -258,15 +259,15 @@ def take_in_class(
     if how.only is not None:
         found = tuple(row for row in found if row.identifier in how.only)
     as_found = found
-    rows = [_extended(row, later(row.identifier), task.late) for row in found]
+    rows = [extended(row, later(row.identifier), task.late) for row in found]
     found, about_exam = counted(rows, task.late)
     known(found)
     if task.keep is Keep.BEST:
         found = with_best_attempts(tree, found, task.late, mark)
     pairs = tuple(zip(as_found, found, strict=True))
     found = tuple(replace(now, due=was.due) for was, now in pairs)  # rows extend by hand
-    table = tuple(_for_table(was, now) for was, now in pairs)
-    return TakenIn(found, intake.remarks, (*warnings, *about_exam), table)
+    for_table = tuple(_for_table(was, now) for was, now in pairs)
+    return TakenIn(found, intake.remarks, (*warnings, *about_exam), for_table, as_found)
 
 
 def _for_table(was: Found, now: Found) -> Found:
@@ -286,7 +287,7 @@ def _for_table(was: Found, now: Found) -> Found:
     )
 
 
-def _extended(row: Found, later: datetime | None, rules: LateRules | None) -> Found:
+def extended(row: Found, later: datetime | None, rules: LateRules | None) -> Found:
     """Return a row with a later deadline; one that is earlier than what it has changes nothing."""
     if later is None or rules is None:
         return row

@@ -12,11 +12,16 @@ from tests.support_rows import plain_result
 from tests.unit.marking.intake.support import PDF, PICK, put
 from vrts.check.task.late_rules import Keep, LateRules
 from vrts.check.task.task import Task
+from vrts.marking.by_hand.decisions.files import add_decisions
+from vrts.marking.by_hand.decisions.records import Extend
 from vrts.marking.class_marks import class_row
+from vrts.marking.class_plan import merged_class
 from vrts.marking.intake.row import Row
 from vrts.marking.intake.tables.intake_table import write_rows
 from vrts.marking.intake.tree.opening import open_place
+from vrts.marking.layout import Layout
 from vrts.marking.marking import Done, Entry
+from vrts.marking.remote.at_home import AtHome
 from vrts.marking.result import Kind, Result
 from vrts.marking.submission.marker import Marker
 from vrts.marking.submission.one import Wanted
@@ -24,7 +29,9 @@ from vrts.marking.submission.setting import Place
 from vrts.marking.unsafe import Reason
 from vrts.marking.whole_class import TakenIn, take_in_class
 from vrts.pipeline.files import CHECKOUT
+from vrts.pipeline.refused import Refused
 
+EXAMPLE = CHECKOUT / "examples" / "01-cans-on-bases" / "task.toml"
 CET = timezone(timedelta(hours=1))
 CLOSES = datetime(2026, 12, 1, 11, tzinfo=CET)
 TWO = LateRules(CLOSES, closed=CLOSES, opens=CLOSES - timedelta(hours=2), attempts=2)
@@ -36,8 +43,7 @@ WORTH = {A: 3.0, B: 10.0, C: 5.0}
 @pytest.fixture(scope="module")
 def task() -> Task:
     """Return a task, to be given other rules."""
-    place = Place(str(CHECKOUT / "examples" / "01-cans-on-bases" / "task.toml"))
-    found = Marker(place, Wanted(pages=False)).whole.task
+    found = Marker(Place(str(EXAMPLE)), Wanted(pages=False)).whole.task
     assert found is not None
     return found
 
@@ -159,3 +165,29 @@ def test_a_better_attempt_in_doubt_tells_of_the_other(tmp_path: Path, task: Task
 
     assert reasons(place, best, between(2.0)) == [Reason.UNDETERMINED] * 2
     assert reasons(place, best, between(4.0)) == [Reason.UNDETERMINED]
+
+
+def test_a_plan_that_did_not_know_of_more_time_is_not_merged(tmp_path: Path, task: Task) -> None:
+    exam = replace(task, late=TWO, keep=Keep.BEST)
+    place = hand_ins(tmp_path / "d", A, B)
+    taken = class_of(place, exam)
+    home = AtHome(
+        Place("lab"), ("d",), Wanted(), taken.rows, (), (), b"", False, attempts=taken.as_found
+    )
+    marker = Marker(Place(str(EXAMPLE)), Wanted(pages=False))
+    marker.whole = replace(marker.whole, task=exam)
+    layout = Layout(tmp_path / "out")
+    early = Extend(0, "", ("ann",), "2026-12-01T11:10:00+01:00", "ill")
+    add_decisions(layout.decisions, "R. Huber", (early,), CLOSES)
+    with pytest.raises(ValueError, match="zip"):  # no other attempt counts by that: it goes on
+        merged_class(marker, home, layout)
+    layout = Layout(tmp_path / "other")
+    add_decisions(layout.decisions, "R. Huber", (structs.replace(early, due=MORE),), CLOSES)
+    with pytest.raises(Refused) as refused:
+        merged_class(marker, home, layout)
+    (told,) = refused.value.diagnostics
+    assert (told.rule.code, "`ann`" in told.notes[0]) == ("V829", True)
+    in_table = replace(taken.as_found[0], due=datetime.fromisoformat(MORE))
+    planned = structs.replace(home, attempts=(in_table,))
+    with pytest.raises(ValueError, match="zip"):  # the plan knew of it
+        merged_class(marker, planned, layout)

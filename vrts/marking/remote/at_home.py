@@ -22,3 +22,4 @@ class AtHome(Record, frozen=True):
     edited: bool  # whether a teacher's table was obeyed
     variants: dict[str, bytes] = field(default_factory=dict[str, bytes])  # packed tasks by tag
     doubts: dict[str, str] = field(default_factory=dict[str, str])  # of a variant's being right
+    attempts: tuple[Row, ...] = ()  # the rows before attempts were chosen

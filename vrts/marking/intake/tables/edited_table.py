@@ -1,6 +1,6 @@
 """Reads intake.csv back, as the teacher left it, and obeys it."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from datetime import datetime
 from difflib import get_close_matches
 from typing import NamedTuple
