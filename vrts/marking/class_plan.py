@@ -176,7 +176,7 @@ def merged_class(marker: Marker, home: AtHome, layout: Layout) -> Marked:
     )
     write_atomically(layout.intake, home.intake)
     return Marked(
-        Class("vrts.class/1", task.title, rows),
+        Class("vrts.class/1", task.title, rows, decisions=changes.ledger.counts),
         done,
         home.remarks,
         (

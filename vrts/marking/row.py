@@ -10,7 +10,7 @@ from msgspec import Meta, field
 
 from vrts.check.rules.scheme import TOTAL
 from vrts.check.task.score import to_tenth
-from vrts.marking.result import Damaged, Exact, Mark, Record, Result, check_mark, decoded
+from vrts.marking.result import Damaged, Digest, Exact, Mark, Record, Result, check_mark, decoded
 from vrts.marking.unsafe import ALL, Doubt, Reason, doubts, in_order
 
 CLASS_SCHEMA = "vrts.class/1"
@@ -136,6 +136,14 @@ class Row(Record, frozen=True):
         return self.handed_in.why == OF_SESSION
 
 
+class CountedFile(Record, frozen=True):
+    """How much of a grader's file the lists rest on: lines are only ever added to it."""
+
+    grader: Annotated[str, Meta(description="id")]
+    lines: Annotated[int, Meta(ge=1)]
+    sha256: Annotated[Digest, Meta(description="of these lines, each with one line feed")]
+
+
 class Class(Record, frozen=True):
     """All rows of one marking."""
 
@@ -146,6 +154,9 @@ class Class(Record, frozen=True):
         dict[str, int] | None,
         Meta(description="how many marks are unsafe, by reason; null: an earlier vrts wrote it"),
     ] = None
+    decisions: Annotated[
+        tuple[CountedFile, ...], Meta(max_length=100, description="graders' files that count in it")
+    ] = ()
 
     @property
     def total(self) -> Fraction:
@@ -242,6 +253,22 @@ def class_to_bytes(rows: Class, *, judged: bool = True) -> bytes:
     """
     told = counted(rows) if judged else msgspec.structs.replace(counted(rows), unsafe=None)
     return msgspec.json.format(msgspec.json.encode(told), indent=1) + b"\n"
+
+
+class _OnlyDecisions(msgspec.Struct, frozen=True):
+    decisions: tuple[CountedFile, ...] = ()
+
+
+def decisions_counted(data: bytes) -> tuple[CountedFile, ...]:
+    """Return which graders' files count in rows; their rows are not looked at.
+
+    Raises:
+        Damaged: The bytes are no rows.
+    """
+    try:
+        return msgspec.json.decode(data, type=_OnlyDecisions).decisions
+    except (msgspec.MsgspecError, UnicodeDecodeError, RecursionError) as problem:
+        raise Damaged("it is no list of marks") from problem
 
 
 def class_from_bytes(data: bytes) -> Class:

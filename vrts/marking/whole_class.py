@@ -188,7 +188,7 @@ def mark_whole_class(
         write_atomically(layout.intake, written)
     marked = tuple(rows[row.identifier] for row in found)
     return Marked(
-        Class("vrts.class/1", task.title, marked),
+        Class("vrts.class/1", task.title, marked, decisions=changes.ledger.counts),
         tuple(done[row.identifier] for row in found),
         (*about_table, *taken.remarks),
         (

@@ -29,7 +29,9 @@ from vrts.marking.by_hand.overrides import (
     program_of,
 )
 from vrts.marking.layout import Layout
-from vrts.marking.row import Class, Row, final_mark, row_of
+from vrts.marking.result import Damaged
+from vrts.marking.row import Class, CountedFile, Row, decisions_counted, final_mark, row_of
+from vrts.pipeline.files import read_bytes
 from vrts.pipeline.refused import Refused
 
 UNKNOWN = Rule("V846", "decision-about-unknown")
@@ -69,7 +71,7 @@ def load_by_hand(
         CannotRead: It cannot be read.
     """
     overrides = load_overrides(layout.overrides, known, total)
-    ledger = read_decisions(layout.decisions)
+    ledger = read_decisions(layout.decisions, _counted_before(layout))
     if ledger.wrong:
         raise Refused(ledger.diagnostics)
     ready = prepared(ledger)
@@ -82,6 +84,20 @@ def load_by_hand(
     return ByHand(overrides, ledger, ready, late, told)
 
 
+def _counted_before(layout: Layout) -> tuple[CountedFile, ...]:
+    """Return on what of graders' files the lists of marks rest; nothing where there are none.
+
+    Raises:
+        CannotRead: The list cannot be read.
+    """
+    if not layout.results.is_file():
+        return ()
+    try:
+        return decisions_counted(read_bytes(layout.results))
+    except Damaged:
+        return ()  # whoever needs the list says so
+
+
 def later_deadlines(layout: Layout) -> dict[str, datetime]:
     """Return the later deadlines that graders have given, by id; those in conflict are left out.
 
@@ -89,7 +105,7 @@ def later_deadlines(layout: Layout) -> dict[str, datetime]:
         Refused: A file has errors.
         CannotRead: It cannot be read.
     """
-    ledger = read_decisions(layout.decisions)
+    ledger = read_decisions(layout.decisions, _counted_before(layout))
     if ledger.wrong:
         raise Refused(ledger.diagnostics)
     ready = prepared(ledger)
@@ -116,7 +132,7 @@ def with_by_hand(row: Row, by_hand: ByHand) -> Row:
 def rows_by_hand(rows: Class, by_hand: ByHand) -> Class:
     """Return the rows of a class with what is decided now."""
     decided = tuple(with_by_hand(row, by_hand) for row in rows.rows)
-    return msgspec.structs.replace(rows, rows=decided)
+    return msgspec.structs.replace(rows, rows=decided, decisions=by_hand.ledger.counts)
 
 
 def all_lapses(rows: Sequence[Row], by_hand: ByHand) -> tuple[Diagnostic, ...]:

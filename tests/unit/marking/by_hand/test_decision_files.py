@@ -2,6 +2,7 @@
 
 import os
 from datetime import UTC, datetime
+from fractions import Fraction
 from pathlib import Path
 
 import msgspec
@@ -10,7 +11,14 @@ import pytest
 from vrts.marking.by_hand.decisions import files as decision_files
 from vrts.marking.by_hand.decisions.files import add_decisions, read_decisions
 from vrts.marking.by_hand.decisions.ledger import LARGEST_LINE
-from vrts.marking.by_hand.decisions.records import ChangeMark, Comment, Decision, Excuse, Undo
+from vrts.marking.by_hand.decisions.records import (
+    ChangeMark,
+    Comment,
+    Decision,
+    Excuse,
+    Item,
+    Undo,
+)
 from vrts.pipeline.refused import Refused
 
 NOW = datetime(2026, 11, 26, 20, tzinfo=UTC)
@@ -130,3 +138,46 @@ def test_another_grader_whose_id_would_be_the_same(tmp_path: Path) -> None:
         "id": "r-huber-2",
         "grader": "R-Huber",
     }
+
+
+def test_files_that_lists_rest_on_may_only_grow(tmp_path: Path) -> None:
+    add(tmp_path, comment("a"), comment("b"))
+    add(tmp_path, comment("c"), who="A. Lang")
+    path = tmp_path / "r-huber.jsonl"
+    whole, before = path.read_bytes(), read_decisions(tmp_path).counts
+    assert [(one.grader, one.lines) for one in before] == [("a-lang", 2), ("r-huber", 3)]
+    add(tmp_path, comment("more"))
+    assert not read_decisions(tmp_path, before).diagnostics
+    path.write_bytes(whole.replace(b"\n", b"\r\n"))
+    assert not read_decisions(tmp_path, before).diagnostics
+    for data, told in (
+        (whole.replace(b'"b"', b'"x"'), "has other ones"),
+        (whole[: whole.index(b"\n", whole.index(b"\n") + 1) + 1], "has only 2 of them"),
+        (None, "is not there"),
+    ):
+        path.unlink()
+        if data is not None:
+            path.write_bytes(data)
+        assert not read_decisions(tmp_path).wrong
+        [said] = read_decisions(tmp_path, before).diagnostics
+        assert said.is_error
+        assert f"rest on 3 lines of `r-huber.jsonl`, which {told}" in said.headline
+        path.touch()
+    assert read_decisions(tmp_path / "gone", before).wrong
+
+
+def test_a_copy_beside_the_file_of_a_grader_is_an_error(tmp_path: Path) -> None:
+    add(tmp_path, comment())
+    (tmp_path / "r-huber (1).jsonl").write_bytes((tmp_path / "r-huber.jsonl").read_bytes())
+    assert read_decisions(tmp_path).wrong
+    (tmp_path / "r-huber (1).jsonl").rename(tmp_path / "notes.txt")
+    assert not read_decisions(tmp_path).wrong
+
+
+def test_nothing_above_the_total_is_written(tmp_path: Path) -> None:
+    for said in (ChangeMark(0, "", ("anna",), "x", mark="75"), Item(0, "", "i", "x", "-11")):
+        with pytest.raises(Refused) as problem:
+            add_decisions(tmp_path, "R. Huber", (comment(), said), NOW, Fraction(10))
+        assert "where marks are out of 10" in problem.value.diagnostics[0].headline
+    assert not read_decisions(tmp_path).records
+    add_decisions(tmp_path, "R. Huber", (ChangeMark(0, "", ("a",), "x", mark="75"),), NOW)

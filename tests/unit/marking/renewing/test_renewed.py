@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner, Result
+from msgspec.structs import replace
 
 from tests.support_desk import write_desk_class
 from vrts.cli.grade.decisions_command import command
@@ -88,7 +89,15 @@ def test_everything_follows_and_goes_back_again(tmp_path: Path) -> None:
     names = tuple(f"r-huber:{number}" for number in range(1, 5))
     add(layout, "A. Lang", Undo(0, "", names))
     renewed(layout)
-    assert everything(layout) == before
+    end = everything(layout)
+    lists = [class_from_bytes(held.pop(str(layout.results))) for held in (before, end)]
+    assert end == before
+    assert lists[1] == replace(lists[0], decisions=lists[1].decisions)
+    assert [one.lines for one in lists[1].decisions] == [2, 5]  # none of them may get lost now
+    (layout.decisions / "a-lang.jsonl").unlink()
+    with pytest.raises(Refused) as problem:
+        renewed(layout)
+    assert "rest on 2 lines of `a-lang.jsonl`" in problem.value.diagnostics[0].headline
 
 
 def test_a_page_that_was_marked_anew_gets_its_section_again(tmp_path: Path) -> None:

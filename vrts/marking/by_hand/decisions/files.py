@@ -27,6 +27,7 @@ from vrts.marking.by_hand.decisions.ledger import (
 )
 from vrts.marking.by_hand.decisions.records import SCHEMA, Beginning, Decision
 from vrts.marking.by_hand.decisions.sound import beyond, flaw_of
+from vrts.marking.row import CountedFile
 from vrts.pipeline.files import CannotRead
 from vrts.pipeline.refused import Refused
 
@@ -43,17 +44,18 @@ class Added(NamedTuple):
     records: tuple[Filed, ...]
 
 
-def read_decisions(folder: Path) -> Ledger:
+def read_decisions(folder: Path, before: Sequence[CountedFile] = ()) -> Ledger:
     """Return what graders have decided; nothing where there is no folder.
 
     Args:
         folder: `staff/decisions` of a marking.
+        before: What was in the files when lists of marks were written: it must still be there.
 
     Raises:
         CannotRead: A file cannot be read.
     """
     if not folder.is_dir():
-        return NONE
+        return ledger_of({}, before) if before else NONE
     found: dict[str, bytes] = {}
     said: list[Diagnostic] = []
     for path in sorted(folder.iterdir()):
@@ -67,7 +69,7 @@ def read_decisions(folder: Path) -> Ledger:
         if len(found) == MOST_FILES:
             raise CannotRead(f"`{folder}` has more than {MOST_FILES} files of graders")
         found[name] = _bytes(path)
-    ledger = ledger_of(found)
+    ledger = ledger_of(found, before)
     return ledger._replace(diagnostics=(*ledger.diagnostics, *said))
 
 

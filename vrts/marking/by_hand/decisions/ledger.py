@@ -1,7 +1,7 @@
 """All that graders have written down: the lines of their files, as records."""
 
 import hashlib
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
 import msgspec
@@ -10,6 +10,7 @@ from vrts.base.diagnostic import Diagnostic, Rule, error, warning
 from vrts.marking.by_hand.decisions.graders import ID, Grader
 from vrts.marking.by_hand.decisions.records import Beginning, Decision
 from vrts.marking.by_hand.decisions.sound import flaw_of
+from vrts.marking.row import CountedFile
 from vrts.report.plain import one_line
 
 DAMAGED = Rule("V759", "decisions-damaged")
@@ -45,6 +46,7 @@ class Ledger(NamedTuple):
     records: tuple[Filed, ...] = ()  # by grader and number
     diagnostics: tuple[Diagnostic, ...] = ()
     revision: str = hashlib.sha256().hexdigest()  # another one wherever a byte differs
+    counts: tuple[CountedFile, ...] = ()  # of each file its whole lines
 
     @property
     def wrong(self) -> bool:
@@ -60,11 +62,12 @@ class Ledger(NamedTuple):
 NONE = Ledger()
 
 
-def ledger_of(files: Mapping[str, bytes]) -> Ledger:
+def ledger_of(files: Mapping[str, bytes], before: Iterable[CountedFile] = ()) -> Ledger:
     """Return what is in files, whatever their order; damaged lines are told, and the rest is kept.
 
     Args:
         files: Bytes of the files of graders, by their name with its ending.
+        before: What was in them when lists of marks were written: it must still be there.
     """
     graders: list[Grader] = []
     records: list[Filed] = []
@@ -79,7 +82,48 @@ def ledger_of(files: Mapping[str, bytes]) -> Ledger:
         if one.grader is not None:
             graders.append(one.grader)
             records += one.records
-    return Ledger(tuple(graders), tuple(records), tuple(found), revision.hexdigest())
+    found += _lost(files, before)
+    counts = tuple(
+        one for name in sorted(files) if (one := _counted(name.removesuffix(ENDING), files[name]))
+    )
+    return Ledger(tuple(graders), tuple(records), tuple(found), revision.hexdigest(), counts)
+
+
+def _counted(grader: str, data: bytes, most: int | None = None) -> CountedFile | None:
+    """Return how many whole lines a file has, or the first of them; None where it has none.
+
+    However version control has written line ends.
+    """
+    whole, _ = lines_of(data)
+    lines = whole[:most]
+    text = b"".join(line.removesuffix(b"\r") + b"\n" for line in lines)
+    return CountedFile(grader, len(lines), hashlib.sha256(text).hexdigest()) if lines else None
+
+
+def _lost(files: Mapping[str, bytes], before: Iterable[CountedFile]) -> Iterator[Diagnostic]:
+    """Yield an error for every file that has lost lines on which lists of marks rest."""
+    for one in before:
+        name = f"{one.grader}{ENDING}"
+        data = files.get(name)
+        now = None if data is None else _counted(one.grader, data, one.lines)
+        if now == one:
+            continue
+        lines = "1 line" if one.lines == 1 else f"{one.lines} lines"
+        if data is None:
+            what = "is not there"
+        elif now is None or now.lines < one.lines:
+            what = f"has only {0 if now is None else now.lines} of them"
+        else:
+            what = "has other ones"
+        yield error(
+            DAMAGED,
+            f"the lists of marks rest on {lines} of `{name}`, which {what}",
+            notes=("no mark is made without them: they would be lost without a word",),
+            help=(
+                "put the file back, from a copy or from version control; `--undo NAME` undoes",
+                "if it is lost for good, mark into another folder, with the files that are left",
+            ),
+        )
 
 
 def lines_of(data: bytes) -> tuple[list[bytes], bytes]:
