@@ -6,7 +6,7 @@ from pathlib import Path
 
 from vrts.base.diagnostic import Diagnostic
 from vrts.base.source import SourceFile
-from vrts.check.rules.hints import Hints
+from vrts.check.rules.hints import Hints, without_remedy
 from vrts.debug.debugger import Debugger
 from vrts.debug.evaluating import CannotTell, evaluate, worked_out
 from vrts.debug.frames import Frame, frames
@@ -106,6 +106,10 @@ class Console:
         except Unknown as problem:
             return str(problem)
         return "\n".join([chain.effect, *(f"  {each}" for each in chain_lines(chain, Hints.PLACE))])
+
+    def allowed(self, found: Diagnostic) -> Diagnostic:
+        """Return what may be told of what went wrong: no remedy where the task allows no hints."""
+        return without_remedy(found) if self._hints is Hints.NOTHING else found
 
     def value(self, text: str, frame: Frame | None = None) -> Value:
         """Return the value of an expression; `frame` as for `enter`.

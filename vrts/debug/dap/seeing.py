@@ -87,6 +87,7 @@ def _exception_info(session: Session, _: Fields) -> Answer:
     }
     found = stop.alarm.diagnostic
     if found is not None:
+        found = session.console.allowed(found)
         more = [found.headline, *found.notes, *(f"help: {line}" for line in found.help)]
         body["details"] = {"message": one_line(found.headline), "stackTrace": "\n".join(more)}
     return Answer(body)

@@ -26,6 +26,7 @@ from vrts.marking.submission.setting import Place
 from vrts.pipeline.controllers import under
 from vrts.pipeline.setting import Setting
 from vrts.report.assessment import Assessment
+from vrts.report.audience import as_allowed
 
 ANOTHER = "mark it with the scene and the task that it had"
 SHOWN = "session.v2"  # what was done, as a program
@@ -91,7 +92,7 @@ def session_to_bytes(session: LoggedSession) -> bytes:
 
 
 def assessed(order: Order, setting: Setting, wanted: Wanted, by: By) -> Assessment:
-    """Repeat a session, check it and mark it.
+    """Repeat a session, check it and mark it; without hints where the task allows none.
 
     Raises:
         NotMarkable: It comes out as another one.
@@ -112,7 +113,7 @@ def assessed(order: Order, setting: Setting, wanted: Wanted, by: By) -> Assessme
             scene, run, proposer=by.proposer, second=by.second, near_miss=task.near_miss
         )
     judgement = judge(scene, run, task, collisions=False, proposer=by.proposer, report=report)
-    return Assessment(
+    found = Assessment(
         order.identifier,
         order.title,
         SourceFile(SHOWN, as_program(run, "session")),
@@ -124,6 +125,7 @@ def assessed(order: Order, setting: Setting, wanted: Wanted, by: By) -> Assessme
         judgement=judgement,
         grade=grade(task, run, judgement),
     )
+    return as_allowed(found, setting.stamps)
 
 
 def _of_then(setting: Setting, logged: Logged) -> Setting:

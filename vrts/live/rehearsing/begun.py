@@ -8,6 +8,7 @@ from vrts.base.source import SourceFile
 from vrts.check.judge import judge
 from vrts.check.mark.losses import mishaps_of
 from vrts.check.mark.mark import grade
+from vrts.check.rules.hints import Hints, without_remedy
 from vrts.check.verdict import CollisionReport
 from vrts.debug.alarms import Alarms, Filter
 from vrts.engine.memory.events import Cause
@@ -62,10 +63,10 @@ def begun(begin: Begin) -> tuple[Rehearsal | None, Ready | Refused]:
         text = SourceFile(begin.order.name, begin.order.text)  # which is not what has errors
         return None, Refused(of, in_one_sentence(refused.diagnostics, text))
     if outcome.run is None or outcome.source is None:
-        found, more = problems(outcome.diagnostics, outcome.source)
+        found, more = problems(_allowed(outcome, outcome.diagnostics), outcome.source)
         return None, Refused(of, in_one_sentence(outcome.diagnostics, outcome.source), found, more)
     said = (*outcome.diagnostics, *outcome.run.findings)
-    found, more = problems(said, outcome.source)
+    found, more = problems(_allowed(outcome, said), outcome.source)
     rehearsal = Rehearsal(outcome.run, outcome.source, outcome.dialect, outcome.begin)
     report, mark, note = None, None, outcome.note
     try:
@@ -95,6 +96,12 @@ def begun(begin: Begin) -> tuple[Rehearsal | None, Ready | Refused]:
         note,
         more,
     )
+
+
+def _allowed(outcome: Outcome, said: Sequence[Diagnostic]) -> Sequence[Diagnostic]:
+    """Return what is told, without remedies where the task allows no hints."""
+    silent = outcome.task is not None and outcome.task.hints is Hints.NOTHING
+    return tuple(map(without_remedy, said)) if silent else said
 
 
 def _judged(rehearsal: Rehearsal, outcome: Outcome) -> tuple[CollisionReport | None, Marked | None]:

@@ -54,9 +54,10 @@ def run_from_now(begin: Begin) -> Outcome:
     setting = setting_of(structs.replace(where, controller=state.controller))
     if scene_sha256(setting) != state.scene_sha256:
         raise StateLost
+    task = setting.task
     source = decode(order.text.encode("utf-8", "replace"), order.name)
     if isinstance(source, Diagnostic):
-        return Outcome(None, None, (source,), dialect)
+        return Outcome(None, None, (source,), dialect, task)
     scenario = scenario_of(setting)
     machine = machine_of(state, setting.scene, scenario)
     run = Run(machine, state.time_s, (machine,))
@@ -69,12 +70,12 @@ def run_from_now(begin: Begin) -> Outcome:
     )
     own = _own(found, source)
     if own is None:
-        return Outcome(source, None, found.diagnostics, dialect)
+        return Outcome(source, None, found.diagnostics, dialect, task)
     request = Request(ProgramFile(b"", order.name), setting)
     entry, said = entry_in(own, request)
     diagnostics = (*found.diagnostics, *said)
     if entry is None:
-        return Outcome(source, None, diagnostics, dialect)
+        return Outcome(source, None, diagnostics, dialect, task)
     limits = narrower(scenario.limits)
     run = _stopped(run, busy=state.busy)
     machine = run.machine.copy()
@@ -83,7 +84,6 @@ def run_from_now(begin: Begin) -> Outcome:
     at_s, finished = run.until_s, run.statements
     commands = [TimedCommand(at_s, Load(own)), TimedCommand(at_s, Execute(entry))]
     run = advance(run, at_s + limits.time_s + AFTERWARDS, commands, closed=True)
-    task = setting.task
     return Outcome(
         source,
         run,
