@@ -144,7 +144,9 @@ def mark_whole_class(
             table,
             lambda asked: mark(asked, None, None),
             how,
-            known=lambda rows: None if own is None else own.assign(rows, variants),
+            known=lambda rows: (
+                None if own is None else own.assign(rows, variants, some=how.only is not None)
+            ),
             later=_later(layout, how),
         )
         named, found, key = taken.rows, taken.rows, None

@@ -73,6 +73,7 @@ def handed_out(
     page = written(page, task_words(public.task, scene, hidden=varied.base.hidden > 0))
     files[README] = with_part(page, your_numbers(scene, variant.tag, names)).encode()
     files[START] = _start(varied, public, given, variant.tag)
+    varied.check_readable(files)
     data = student_zip(varied.files._replace(public=files), varied.base.hidden, versions)
     return HandedOut(variant, data, told)
 

@@ -12,6 +12,7 @@ from vrts.pipeline.refused import Refused
 BAD_KEY = Rule("V868", "variants-key")
 
 NAME = "variants.key"  # beside the task: packed for nobody
+HANDED = ".handed.json"  # behind the name of a key: what was handed out by it
 PRIVATE = 0o600
 _TEXT = re.compile(rb"([0-9a-f]{64})\n?")
 
@@ -19,6 +20,11 @@ _TEXT = re.compile(rb"([0-9a-f]{64})\n?")
 def place_of_key(task: Path) -> Path:
     """Return where the key of a task is: in its folder, or beside its zip."""
     return (task if task.is_dir() else task.parent) / NAME
+
+
+def place_of_handed(key: Path) -> Path:
+    """Return where it is written what was handed out by a key."""
+    return key.with_name(f"{key.name}{HANDED}")
 
 
 def key_of(path: Path) -> bytes:
@@ -53,6 +59,13 @@ def key_made(path: Path) -> tuple[bytes, bool]:
         return key_of(path), False
     if not path.parent.is_dir():
         raise CannotRead(f"there is no folder `{path.parent}` for the key")
+    if os.path.lexists(place_of_handed(path)):
+        headline = f"the key `{path}` is gone, and variants were handed out by it"
+        remedies = (
+            "put the file back as it was: with another key every student has another variant",
+            f"to draw all anew, delete `{place_of_handed(path)}`",
+        )
+        raise Refused((error(BAD_KEY, headline, help=remedies),))
     flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_NOFOLLOW", 0)
     with open(os.open(path, flags | getattr(os, "O_BINARY", 0), PRIVATE), "wb") as file:
         file.write(f"{secrets.token_hex(32)}\n".encode())

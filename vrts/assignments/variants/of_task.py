@@ -1,7 +1,7 @@
 """A task with `[variants]`, and each of its variants as an ordinary task.
 
     varied = load_varied(Path("lab1"))
-    one = drawn(varied.variants, key, "moodle 4711")     # vrts.check.variants.drawn
+    one = varied.drawn(key, "moodle 4711")
     setting = varied.setting(one.combination)            # task and scene, with the hidden part
     program = varied.reference(one.combination)          # the solution, with this variant's places
 
@@ -18,20 +18,23 @@ from vrts.assignments.pack import Bundle, read_zip
 from vrts.assignments.packed import is_packed, setting_of
 from vrts.assignments.task_folder import SOLUTION, TaskFiles, read_folder, reference_of
 from vrts.assignments.variants.places import with_places
-from vrts.base.diagnostic import Diagnostic
+from vrts.base.diagnostic import Diagnostic, Label, error
 from vrts.base.source import SourceFile
 from vrts.check.task.manifest import Manifest, sha256
+from vrts.check.variants.drawn import Variant, drawn
 from vrts.check.variants.files import (
     SCENARIO,
     SCENE,
     STAFF,
     TASK,
     cut,
+    name_findings,
     path_findings,
     varied,
     without_names,
 )
 from vrts.check.variants.model import Combination, Variants
+from vrts.check.variants.section import SECTION, VALUES
 from vrts.pipeline.files import (
     SCENARIO_FILE,
     TASK_FILE,
@@ -59,6 +62,22 @@ class VariedTask:
     solution: bytes | None  # the reference as written; None: there is none
     sources: Mapping[str, SourceFile]  # texts of the files, by the word that paths begin with
     names: Mapping[str, str]  # of these files, by the same word
+
+    def with_key(self, key: bytes) -> "VariedTask":
+        """Return the same, whose tags are those that are handed out by a key."""
+        return replace(self, variants=replace(self.variants, key=key))
+
+    def drawn(self, key: bytes, student: str) -> Variant:
+        """Return the variant that a key gives to a student, as `vrts.check.variants.drawn`.
+
+        Raises:
+            Refused: Hardly any combination is left for students.
+        """
+        try:
+            return drawn(self.variants, key, student)
+        except ValueError as problem:
+            headline = f"{problem}: `[[{SECTION}.without]]` leaves too few for a draw"
+            raise Refused((error(VALUES, headline, Label(self.variants.span)),)) from problem
 
     def texts(self, combination: Combination) -> dict[str, bytes]:
         """Return the files that are others in a variant, by name; without `[variants]`."""
@@ -119,7 +138,26 @@ class VariedTask:
     def as_written(self) -> dict[str, bytes]:
         """Return the public files of the task as it is written, without what is for staff."""
         text = cut(self.sources[TASK]).encode()
-        return self._without_names({**self.files.public, self.names[TASK]: text})
+        found = self._without_names({**self.files.public, self.names[TASK]: text})
+        start = self.start(self.base)
+        self.check_readable(found)
+        return found if start is None else {**found, START: start}
+
+    def check_readable(self, files: Mapping[str, bytes]) -> None:
+        """Check that what students are handed out can be read.
+
+        Raises:
+            Refused: It cannot: something that students have needs what they do not get.
+        """
+        hashes = {name: sha256(data) for name, data in files.items()}
+        manifest = Manifest(
+            self.files.name, False, self.base.hidden, (), self.files.scene, self.files.lab, hashes
+        )
+        try:
+            setting_of(Bundle(manifest, files, ()), staff=False)
+        except Refused as refused:
+            note = "so it is in the zips of students, in which `staff_names` are left out"
+            raise Refused(tuple(_noted(d, note) for d in refused.diagnostics)) from refused
 
     def _without_names(self, files: dict[str, bytes]) -> dict[str, bytes]:
         names = self.variants.staff_names
@@ -167,7 +205,7 @@ def load_varied(path: Path) -> VariedTask:
     sources = {
         word: SourceFile(shown(home / name), _text(every[name])) for word, name in names.items()
     }
-    found = path_findings(variants, sources)
+    found = (*path_findings(variants, sources), *name_findings(variants, base.scene.locations))
     if found:
         raise Refused(found)
     return VariedTask(files, variants, base, solution, sources, names)

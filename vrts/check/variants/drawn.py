@@ -3,7 +3,8 @@
 The seed is HMAC-SHA256 of the key over assignment, student and the number of the try. A draw is
 uniform over all combinations: numbers at the end, that would favour the first ones, are drawn
 again, and so is what no student may get. So one key gives one student one variant, on every
-machine, and nobody without the key can tell whose it is.
+machine, and nobody without the key can tell whose it is. Nor does a tag tell what is hidden in a
+variant: the same key goes into it.
 """
 
 import hashlib
@@ -45,16 +46,24 @@ def drawn(variants: Variants, key: bytes, student: str) -> Variant:
         if seed < fair:
             found = variants.combination(seed % count)
             if variants.allowed(found):
-                return variant(variants, found)
+                return variant(variants, found, key)
     raise ValueError("nearly every combination is excluded")
 
 
-def variant(variants: Variants, combination: Combination) -> Variant:
-    """Return a combination with its tag."""
-    parts = [variants.assignment]
-    for vary, choice in zip(variants.varies, combination, strict=True):
+def variant(variants: Variants, combination: Combination, key: bytes | None = None) -> Variant:
+    """Return a combination with its tag: the same values have the same, in whatever order.
+
+    Args:
+        variants: Of the task.
+        combination: Of them.
+        key: The teacher's; None: that of `variants`, without one a tag that nobody is handed out.
+    """
+    parts = [SCHEME, "tag", variants.assignment]
+    chosen = zip(variants.varies, combination, strict=True)
+    for vary, choice in sorted(chosen, key=lambda pair: pair[0].name):
         parts += [vary.name, *vary.choices[choice]]
-    number = int.from_bytes(hashlib.sha256("\0".join(parts).encode()).digest())
+    secret = variants.key if key is None else key
+    number = int.from_bytes(hmac.digest(secret, "\0".join(parts).encode(), hashlib.sha256))
     letters = ""
     for _ in range(LENGTH):
         number, letter = divmod(number, len(LETTERS))

@@ -93,6 +93,15 @@ def find(root: Place, path: tuple[str, ...]) -> Place:
     return place
 
 
+def exact(root: Place, path: tuple[str, ...]) -> tuple[str, ...]:
+    """Return a path that names something, with numbers in place of the letters of axes."""
+    found: list[str] = []
+    for number, part in enumerate(path):
+        listed = find(root, path[:number]).fields is None
+        found.append(str(AXES.index(part) + 1) if listed and part in AXES else part)
+    return tuple(found)
+
+
 def _is_value(place: Place, text: str) -> bool:
     """Return whether a place has a value, and not a table of its own.
 

@@ -4,14 +4,15 @@ A path begins with a word for the file that it is in: `task`, `scene`, `scenario
 """
 
 import tomllib
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from difflib import get_close_matches
 
 from vrts.base.diagnostic import Diagnostic, Label, Rule, error
-from vrts.base.source import SourceFile
+from vrts.base.source import SourceFile, Span
 from vrts.base.toml.places import places
-from vrts.check.variants.edits import Edit, NoPath, edited, find
+from vrts.check.variants.edits import Edit, NoPath, edited, exact, find
 from vrts.check.variants.model import Combination, Variants
-from vrts.check.variants.section import SECTION
+from vrts.check.variants.section import SECTION, VALUES
 
 PATH = Rule("V866", "variant-path")
 
@@ -37,6 +38,7 @@ def path_findings(variants: Variants, sources: Mapping[str, SourceFile]) -> tupl
     """
     found: list[Diagnostic] = []
     roots = {word: places(source.text).root for word, source in sources.items()}
+    seen: list[tuple[tuple[str, ...], str, Span]] = []
     for vary in variants.varies:
         for number, (path, span) in enumerate(zip(vary.paths, vary.path_spans, strict=True)):
             word, *parts = path.split(".")
@@ -65,7 +67,39 @@ def path_findings(variants: Variants, sources: Mapping[str, SourceFile]) -> tupl
                 help_ = (f"did you mean `{problem.near}`?",) if problem.near else ()
                 notes = (f"what varies stands in {FILES[word]}, with its usual value",)
                 found.append(error(PATH, headline, label, notes=notes, help=help_))
+                continue
+            spot = (word, *exact(roots[word], tuple(parts)))
+            other = next((one for one in seen if _within(one[0], spot)), None)
+            if other is not None:
+                headline = f"`{path}` and `{other[1]}` set the same value"
+                label = Label(span, "x, y, z are the numbers 1, 2, 3")
+                found.append(error(VALUES, headline, label, secondary=(Label(other[2]),)))
+            seen.append((spot, path, span))
     return tuple(found)
+
+
+def name_findings(variants: Variants, known: Iterable[str]) -> tuple[Diagnostic, ...]:
+    """Return every name in `staff_names` that no location of the scene has.
+
+    Args:
+        variants: Of the task.
+        known: Names of its locations, in small letters.
+    """
+    there = tuple(known)
+    found: list[Diagnostic] = []
+    for name, span in zip(variants.staff_names, variants.staff_spans, strict=False):
+        if name not in there:
+            near = get_close_matches(name, there, 1, 0.6)
+            remedy = f"did you mean `{near[0]}`?" if near else "`vrts scene show` tells the names"
+            headline = f"the scene has no location `{name}`, which is withheld from nobody"
+            found.append(error(VALUES, headline, Label(span), help=(remedy,)))
+    return tuple(found)
+
+
+def _within(one: tuple[str, ...], other: tuple[str, ...]) -> bool:
+    """Return whether one of two places is the other, or in it."""
+    shorter = min(len(one), len(other))
+    return one[:shorter] == other[:shorter]
 
 
 def varied(

@@ -5,7 +5,7 @@ are kept as the TOML text that is written into the files.
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from math import prod
 from typing import NamedTuple, TypeAlias
 
@@ -46,6 +46,8 @@ class Variants:
     staff_names: tuple[str, ...]  # locations of the scene that students have to teach
     span: Span
     even: Even = USUAL  # how much harder one may be than another
+    staff_spans: tuple[Span, ...] = ()  # of each of `staff_names`
+    key: bytes = field(default=b"", repr=False)  # that tags are made with; none: nobody's
 
     @property
     def total(self) -> int:

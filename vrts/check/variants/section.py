@@ -76,6 +76,7 @@ def read_variants(top: Table, problems: Problems) -> Variants | None:
         tuple(name.lower() for name in staff_names),
         section.span,
         even,
+        tuple(section.element_span("staff_names", k) for k in range(len(staff_names))),
     )
     return found if _usable(found, problems) else None
 
@@ -293,7 +294,7 @@ def toml_text(value: object) -> str:
         case int() | float() | Fraction():
             return _number(_exact(value))
         case str():
-            return json.dumps(value)
+            return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
         case list():
             return f"[{', '.join(map(toml_text, cast('list[object]', value)))}]"
         case _:

@@ -1,5 +1,6 @@
 """What `vrts task check` says of a task with variants."""
 
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
@@ -9,15 +10,16 @@ from vrts.cli.shared.cores import workers_of
 
 if TYPE_CHECKING:
     from vrts.assignments.variants.of_task import VariedTask
+    from vrts.check.variants.drawn import Variant
     from vrts.check.variants.model import Combination
-    from vrts.marking.variants.class_list import Member
+    from vrts.marking.variants.class_list import ClassList
 
 
 class HowTo(NamedTuple):
     """How the variants of a task are checked."""
 
     reference: Path | None  # the solution; None: that of the folder
-    members: "tuple[Member, ...]"  # of the class; nobody: only a covering set is tried
+    members: "ClassList | None"  # the class; None: only a covering set is tried
     key: Path | None  # by which variants are drawn; None: that beside the task
     jobs: int | None  # variants that are tried at a time; None: one a core
     color: str
@@ -32,6 +34,7 @@ def check_variants(folder: Path, how: HowTo) -> bool:
     """
     from vrts.assignments.fair.fairness import fairness
     from vrts.assignments.fair.in_words import fair_findings, fair_lines
+    from vrts.assignments.variants.key import place_of_key
     from vrts.assignments.variants.of_task import load_varied
     from vrts.pipeline.files import read_bytes
     from vrts.report.plain import plain_text
@@ -39,7 +42,10 @@ def check_variants(folder: Path, how: HowTo) -> bool:
     varied = load_varied(folder)
     if how.reference is not None:
         varied = replace(varied, solution=read_bytes(how.reference))
-    students = _drawn(varied, how.members, folder, how.key) if how.members else {}
+    varied.as_written()  # which students could not read, it says
+    students: dict[str, Combination] = {}
+    if how.members is not None:
+        varied, students = _drawn(varied, how.members, how.key or place_of_key(folder))
     found = fairness(varied, students, workers_of(how.jobs))
     out("")
     show_diagnostics(fair_findings(varied.variants, found), how.color)
@@ -47,37 +53,43 @@ def check_variants(folder: Path, how: HowTo) -> bool:
     return found.fair
 
 
-def members_of(roster: Path | None) -> "tuple[Member, ...]":
-    """Return who is in a class; nobody where there is no list.
+def members_of(roster: Path | None) -> "ClassList | None":
+    """Return who is in a class; None where there is no list.
 
     Raises:
         CannotRead: The list is not there, or is none.
         Refused: Two in it cannot be told apart.
     """
     if roster is None:
-        return ()
+        return None
     from vrts.marking.intake.tables.roster import read_roster
     from vrts.marking.variants.class_list import class_list
     from vrts.pipeline.files import read_bytes
 
-    return class_list(read_roster(read_bytes(roster), roster.name, None), roster.name).members
+    return class_list(read_roster(read_bytes(roster), roster.name, None), roster.name)
 
 
 def _drawn(
-    varied: "VariedTask", members: "tuple[Member, ...]", folder: Path, key: Path | None
-) -> "dict[str, Combination]":
-    """Return which variant each student of a class has, by a name that tells who it is."""
-    from vrts.assignments.variants.key import key_made, place_of_key
-    from vrts.check.variants.drawn import drawn
+    varied: "VariedTask", members: "ClassList", place: Path
+) -> "tuple[VariedTask, dict[str, Combination]]":
+    """Return the task with the key, and which variant each student of a class has."""
+    from vrts.assignments.variants.key import key_made
+    from vrts.marking.variants.handed import read_handed, variants_of
 
-    place = key or place_of_key(folder)
     secret, made = key_made(place)
     if made:
         say(f"made the key {place}: keep a copy, and give it to no student")
+    handed = read_handed(place, secret, varied.variants.assignment)
+    given = variants_of(varied, members, secret, handed)
+    return varied.with_key(secret), by_name(members, given.variants)
+
+
+def by_name(members: "ClassList", variants: "Mapping[str, Variant]") -> "dict[str, Combination]":
+    """Return which variant each student of a class has, by a name that tells who it is."""
     found: dict[str, Combination] = {}
-    for member in members:
+    for member in members.members:
         name = member.student.name or member.number
         if name in found:
             name = f"{name} ({member.number})"
-        found[name] = drawn(varied.variants, secret, member.drawn_by).combination
+        found[name] = variants[member.number].combination
     return found

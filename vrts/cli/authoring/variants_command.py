@@ -4,8 +4,10 @@ from pathlib import Path
 
 import click
 
+from vrts.cli.authoring.fair_check import by_name
 from vrts.cli.shared.console import WRONG, fail, guarded, out, say, show_diagnostics, write_file
-from vrts.cli.shared.options import color_option, file_option
+from vrts.cli.shared.cores import one_thread_each, workers_of
+from vrts.cli.shared.options import color_option, file_option, jobs_option
 
 EPILOG = """\b
 Examples:
@@ -35,6 +37,8 @@ Afterwards, with the same list and the same key:
     metavar="VERSION",
     help="A version of vrts that may mark; without it this one.",
 )
+@click.option("--untried", is_flag=True, help="Do not try the variants of the class first.")
+@jobs_option("Variants that are tried at a time; without it, one for each core.")
 @color_option
 @guarded
 def command(
@@ -43,6 +47,8 @@ def command(
     target: Path,
     key: Path | None,
     versions: tuple[str, ...],
+    untried: bool,
+    jobs: int | None,
     color: str,
 ) -> None:
     """Write a zip of TASK for each student of a class, each with another variant.
@@ -53,19 +59,25 @@ def command(
     all, for "Upload multiple feedback files in a zip".
 
     A key decides which variant each gets. If there is none, it is made, and only its owner may read
-    it. With another key everybody has another variant: keep a copy.
+    it. With another key everybody has another variant: keep a copy. Beside it KEY.handed.json tells
+    what was handed out: who is in there keeps that variant, and is marked by it.
 
-    The task as it is written must pass `vrts task check`; of a zip this is not looked at again.
-    Whether its variants are fair only `vrts task check TASK --roster FILE` says: call that first.
+    The task as it is written must pass `vrts task check`; of a zip this is not looked at again. The
+    variants of the class must be as the task has to be, and as hard as each other: else nothing is
+    written, unless you say --untried.
     """
+    one_thread_each()
+    from vrts.assignments.fair.fairness import fairness
+    from vrts.assignments.fair.in_words import fair_findings
     from vrts.assignments.packed import is_packed
     from vrts.assignments.task_check import check_task
     from vrts.assignments.task_folder import reference_of
-    from vrts.assignments.variants.key import key_made, place_of_key
+    from vrts.assignments.variants.key import key_made, place_of_handed, place_of_key
     from vrts.assignments.variants.of_task import load_varied
     from vrts.marking.intake.tables.roster import read_roster
     from vrts.marking.variants.class_list import class_list
     from vrts.marking.variants.hand_out import MOODLE, STUDENTS, TABLE, hand_out
+    from vrts.marking.variants.handed import changed, handed_bytes, read_handed, variants_of
     from vrts.pipeline.files import read_bytes
 
     if not task.exists():
@@ -73,6 +85,7 @@ def command(
     if target.exists() and not target.is_dir():
         fail(f"`{target}` is a file, and zips want a folder", ("name another one with `-o`",))
     varied = load_varied(task)
+    varied.as_written()  # which students could not read, it says
     members = class_list(
         read_roster(read_bytes(class_list_file), class_list_file.name, None), class_list_file.name
     )
@@ -85,7 +98,21 @@ def command(
     secret, made = key_made(place)
     if made:
         say(f"made the key {place}: keep a copy, and give it to no student")
-    handed = hand_out(varied, members, secret, versions)
+    varied = varied.with_key(secret)
+    was = read_handed(place, secret, varied.variants.assignment)
+    given = variants_of(varied, members, secret, was)
+    if given.gone:
+        raise changed(given.gone, place)
+    if not untried and varied.solution is not None:
+        tried = fairness(varied, by_name(members, given.variants), workers_of(jobs))
+        if not tried.fair:
+            show_diagnostics(fair_findings(varied.variants, tried), color)
+            remedies = ("`vrts task check TASK --roster LIST` tells more",)
+            remedies += ("hand them out all the same with `--untried`",)
+            fail("nothing is written: not all variants are fit to be handed out", remedies, WRONG)
+    handed = hand_out(varied, members, given.variants, versions)
+    _check_no_others(target / STUDENTS, [Path(name).name for name in handed.files])
+    record = handed_bytes(place, secret, varied.variants, members, given)
     show_diagnostics(handed.told, color)
     if handed.same_pictures:
         say(f"note: these pictures are the same for all: {', '.join(handed.same_pictures)}")
@@ -93,6 +120,7 @@ def command(
     for name, data in handed.files.items():
         write_file(target / name, data)
     write_file(target / TABLE, handed.table, private=True)
+    write_file(place_of_handed(place), record, private=True)
     if handed.moodle is not None:
         write_file(target / MOODLE, handed.moodle)
     count = len(handed.files)
@@ -102,3 +130,14 @@ def command(
     out(f"{target / TABLE}: who has which; not for students")
     if handed.moodle is not None:
         out(f"{target / MOODLE}: all zips, to be uploaded as feedback files")
+
+
+def _check_no_others(folder: Path, names: list[str]) -> None:
+    """Fail where zips of somebody else, or of another hand-out, would stay beside the new ones."""
+    others = sorted({path.name for path in folder.glob("*.zip")} - set(names))
+    if others:
+        more = f" and {len(others) - 1} more" if len(others) > 1 else ""
+        fail(
+            f"`{folder}` has zips of nobody in the list: `{others[0]}`{more}",
+            ("delete them, or name another folder with `-o`",),
+        )

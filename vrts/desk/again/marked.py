@@ -120,7 +120,7 @@ def _require_same_task(opened: Opened, marker: Marker, students: Sequence[str]) 
     asked = set(students)
     if isinstance(marker, MarkerOfClass):  # each has an own task
         rows = (row for row in opened.rows.rows if row.id in asked)
-        changed = any(not marker.is_as_before(row.result, opened.layout) for row in rows)
+        changed = any(not marker.is_as_before(row, opened.layout) for row in rows)
     else:
         changed = _has_changed(opened, marker, asked)
     if changed:

@@ -5,7 +5,7 @@ both are the same in every list of the class, while names change.
 """
 
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
 from vrts.base.diagnostic import Rule, error
@@ -37,10 +37,17 @@ class ClassList(NamedTuple):
         The id of the platform decides. Where a row has none, its name in the download and its
         address do, if they are an id, an address or a login of one in the class.
         """
-        number = row.student.ids.get(self.platform.value, "")
+        student = row.student
+        return self.member(row.identifier, student.email, student.login, student.ids)
+
+    def member(
+        self, identifier: str, email: str, login: str, ids: Mapping[str, str]
+    ) -> Member | None:
+        """Return who is meant, as `member_of`."""
+        number = ids.get(self.platform.value, "")
         if number:
             return next((one for one in self.members if one.number == number), None)
-        called = {row.identifier, row.student.email, row.student.login, *row.student.ids.values()}
+        called = {identifier, email, login, *ids.values()}
         asked = {text.casefold() for text in called if text}
         found = [one for one in self.members if asked & set(_names(one))]
         return found[0] if len(found) == 1 else None

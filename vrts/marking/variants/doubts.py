@@ -68,6 +68,11 @@ def doubts_of(
             words = f"{other.why} the variant `{other.tag}`, of {whose}"
         more = f", where it would earn {there[identifier]:g}" if identifier in there else ""
         found[identifier] = f"{words}{more}; marked by the student's own, `{own}`"
+    for entry in entries:
+        doubtful = marker.doubtful.get(entry.identifier)
+        if doubtful is not None and entry.data is not None:
+            before = found.get(entry.identifier)
+            found[entry.identifier] = f"{before}; {doubtful}" if before else doubtful
     return found
 
 
@@ -86,12 +91,25 @@ def other_variant(
         return Other(named[0], "it names")
     given = taught(program)
     known = {name: values for name, values in given.items() if name in places[own]}
+    if not known:
+        return _by_values(set(given.values()), own, places)
     if all(values == places[own][name] for name, values in known.items()):
         return None
     for tag, scene in places.items():
         if tag != own and all(values == scene.get(name) for name, values in known.items()):
             return Other(tag, "its places are those of")
     return None
+
+
+def _by_values(
+    given: set[Values], own: str, places: Mapping[str, Mapping[str, Values]]
+) -> Other | None:
+    """Return whose places a program has that gives other names to them; the most decide."""
+    if given & set(places[own].values()):
+        return None
+    shared = {tag: len(given & set(scene.values())) for tag, scene in places.items()}
+    tag = max(shared, key=lambda one: shared[one])
+    return Other(tag, "its places are those of") if shared[tag] else None
 
 
 def places_of(marker: MarkerOfClass, tag: str) -> dict[str, Values]:
@@ -130,7 +148,7 @@ def _marks_there(
         other = others.get(entry.identifier)
         if other is None or other.tag not in marker.places:
             continue
-        name = f"other-{len(names)}"
+        name = f"other {len(names)}"  # a blank: no student is called that
         names[name] = entry.identifier
         marker.tags[name] = other.tag
         asked.append(entry._replace(identifier=name, whose=""))

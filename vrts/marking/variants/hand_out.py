@@ -6,13 +6,13 @@ from typing import NamedTuple
 
 from vrts.assignments.variants.handed_out import HandedOut, handed_out, pictures_of, told_once
 from vrts.assignments.variants.of_task import VariedTask
-from vrts.base.diagnostic import Diagnostic
-from vrts.base.safe_names import safe
+from vrts.base.diagnostic import Diagnostic, error
+from vrts.base.safe_names import LONGEST_ID, safe
 from vrts.base.zips import packed_in_turn
-from vrts.check.variants.drawn import drawn
+from vrts.check.variants.drawn import Variant
 from vrts.marking.intake.row import Platform
 from vrts.marking.intake.tables.table_text import BOM, field
-from vrts.marking.variants.class_list import ClassList, Member
+from vrts.marking.variants.class_list import TWICE, ClassList, Member, shown_names
 from vrts.pipeline.refused import Refused
 
 TABLE = "variants.csv"
@@ -36,9 +36,18 @@ class Handed(NamedTuple):
 
 
 def hand_out(
-    varied: VariedTask, members: ClassList, key: bytes, versions: tuple[str, ...] = ()
+    varied: VariedTask,
+    members: ClassList,
+    variants: Mapping[str, Variant],
+    versions: tuple[str, ...] = (),
 ) -> Handed:
     """Return a zip for everybody in a class.
+
+    Args:
+        varied: The task.
+        members: The class.
+        variants: Who gets which, by id in the class.
+        versions: Of vrts that may mark; none: this one.
 
     Raises:
         Refused: A variant that somebody has is no sound task.
@@ -48,7 +57,7 @@ def hand_out(
     wrong: list[Diagnostic] = []
     made: dict[str, HandedOut] = {}  # by tag: several may have the same
     for member in members.members:
-        variant = drawn(varied.variants, key, member.drawn_by)
+        variant = variants[member.number]
         try:
             one = made.get(variant.tag) or handed_out(varied, variant, pictures, versions)
         except Refused as refused:
@@ -59,6 +68,7 @@ def hand_out(
     if wrong:
         raise Refused(tuple(wrong[:MOST_TOLD]))
     files = {f"{STUDENTS}/{name}": one.data for _, name, one in handed}
+    _check_apart(handed)
     moodle = None
     if members.platform is Platform.MOODLE:
         moodle = packed_in_turn(_for_moodle(varied.files.name, handed), MODE)
@@ -68,7 +78,26 @@ def hand_out(
 
 def _file(member: Member) -> str:
     """Return the name of a student's zip."""
-    return f"{safe(f'{member.student.name}_{member.number}')}.zip"
+    number = safe(member.number)
+    room = max(0, LONGEST_ID - len(f"_{number}".encode()))  # a long name must not cut the number
+    name = member.student.name.encode()[:room].decode(errors="ignore")
+    return f"{safe(f'{name}_{number}')}.zip"
+
+
+def _check_apart(handed: list[tuple[Member, str, HandedOut]]) -> None:
+    """Check that no two students have a zip of one name.
+
+    Raises:
+        Refused: Two have.
+    """
+    seen: dict[str, Member] = {}
+    for member, name, _ in handed:
+        other = seen.setdefault(name.casefold(), member)
+        if other is not member:
+            headline = (
+                f"two in the class would have the zip `{name}`: {shown_names((other, member))}"
+            )
+            raise Refused((error(TWICE, headline, help=("give them ids that differ more",)),))
 
 
 def _for_moodle(

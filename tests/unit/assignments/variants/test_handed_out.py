@@ -9,7 +9,7 @@ import pytest
 
 from tests.places import ROOT
 from vrts.assignments.variants.handed_out import HandedOut, handed_out, pictures_of, tags_in
-from vrts.assignments.variants.key import NAME, key_made, key_of
+from vrts.assignments.variants.key import NAME, key_made, key_of, place_of_handed
 from vrts.assignments.variants.of_task import VariedTask, load_varied
 from vrts.assignments.variants.places import shown, taught, with_places
 from vrts.check.variants.drawn import Variant, drawn
@@ -109,6 +109,51 @@ def test_values_of_a_programs_own_stay(varied: VariedTask) -> None:
     assert shown(safe) != shown(other)
     assert taught(moved) == {"safe": shown(other), "mine": (900, 20, 40, 90, 90, 0)}
     assert moved.startswith("TYPE 'ä'\r\n".encode("latin-1"))
+
+
+def test_start_of_those_who_get_the_task_as_written_withholds_names_too(tmp_path: Path) -> None:
+    lab = copied(tmp_path)
+    start = lab / "start.v2"
+    block = ".LOCATIONS\ncan1_goal 1 2 3 4 5 6\nmine 7 8 9 0 0 0\n.END\n"
+    start.write_text(f".PROGRAM main()\n.END\n{block}")
+    assert taught(load_varied(lab).as_written()["start.v2"]) == {"mine": (7, 8, 9, 0, 0, 0)}
+
+
+def test_what_students_have_may_not_need_what_is_withheld(tmp_path: Path) -> None:
+    lab = copied(tmp_path)
+    with (lab / "scene.toml").open("a") as file:
+        file.write('above = { at = "can1_goal", plus_mm = [0, 0, 50] }\n')
+    varied = load_varied(lab)
+    variant = varied.drawn(KEY, "ada")
+    for ask in (
+        varied.as_written,
+        lambda: handed_out(varied, variant, pictures_of(varied)),
+    ):
+        with pytest.raises(Refused) as refused:
+            ask()
+        found = refused.value.diagnostics[0]
+        assert "can1_goal" in str(found)
+        assert (
+            "so it is in the zips of students, in which `staff_names` are left out" in found.notes
+        )
+
+
+def test_too_few_combinations_for_a_draw_are_told(
+    varied: VariedTask, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("vrts.check.variants.drawn.MOST_TRIES", 0)
+    with pytest.raises(Refused) as refused:
+        varied.drawn(KEY, "ada")
+    assert refused.value.diagnostics[0].rule.code == "V867"
+
+
+def test_a_key_that_is_gone_is_not_made_anew_once_variants_were_handed_out(tmp_path: Path) -> None:
+    path = tmp_path / NAME
+    place_of_handed(path).write_text("{}")
+    with pytest.raises(Refused) as refused:
+        key_made(path)
+    assert "is gone, and variants were handed out by it" in refused.value.diagnostics[0].headline
+    assert not path.exists()
 
 
 def test_a_variant_that_is_no_sound_task_is_named(tmp_path: Path) -> None:

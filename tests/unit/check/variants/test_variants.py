@@ -1,15 +1,17 @@
 """What varies in a task, as a teacher writes it: read, drawn, and written into the files."""
 
+import tomllib
 from collections import Counter
+from dataclasses import replace
 
 import pytest
 
 from vrts.base.source import SourceFile
 from vrts.base.toml.reading import read_toml
 from vrts.check.variants.drawn import drawn, variant
-from vrts.check.variants.files import path_findings, varied, without_names
+from vrts.check.variants.files import name_findings, path_findings, varied, without_names
 from vrts.check.variants.model import Variants
-from vrts.check.variants.section import read_variants
+from vrts.check.variants.section import read_variants, toml_text
 
 TASK = """\
 [task]
@@ -110,7 +112,7 @@ def test_one_key_gives_one_student_one_variant() -> None:
     variants = sound()
     first = drawn(variants, b"k" * 32, "moodle 7")
     # worked out once: another scheme would give every student another variant
-    assert (first.combination, first.tag) == ((1, 1, 1), "xktd-fgwj")
+    assert (first.combination, first.tag) == ((1, 1, 1), "rdxh-hxjd")
     assert first == drawn(variants, b"k" * 32, "moodle 7")
     others = {drawn(variants, bytes([k]) * 32, "moodle 7") for k in range(30)}
     assert len(others) > 5
@@ -131,6 +133,32 @@ def test_the_same_values_have_the_same_tag_and_others_another() -> None:
     variants = sound()
     tags = {variant(variants, variants.combination(k)).tag for k in range(variants.total)}
     assert len(tags) == variants.total
+
+
+def test_a_tag_tells_nothing_without_the_key_and_stays_when_draws_change_places() -> None:
+    variants = sound()
+    turned = replace(variants, varies=variants.varies[::-1])
+    ours = variant(variants, (3, 1, 0), b"k" * 32).tag
+    assert variant(turned, (0, 1, 3), b"k" * 32).tag == ours
+    assert ours not in {variant(variants, (3, 1, 0), key).tag for key in (None, b"", b"j" * 32)}
+    assert variant(replace(variants, key=b"k" * 32), (3, 1, 0)).tag == ours
+
+
+def test_names_for_staff_must_be_those_of_the_scene() -> None:
+    known = ("above", "can1_grip")
+    assert name_findings(sound(), known) == ()
+    variants, _ = read(TASK.replace("Can1_Grip", "Can1_Gripp"))
+    assert variants is not None
+    (found,) = name_findings(variants, known)
+    assert "no location `can1_gripp`" in found.headline
+    assert (found.help, found.is_error) == (("did you mean `can1_grip`?",), True)
+    assert found.primary is not None
+    assert found.primary.span.text == '"Can1_Gripp"'
+
+
+def test_letters_of_all_planes_are_written_as_toml() -> None:
+    text = 'a 😀 "quoted" \\ \n \x7f ü'
+    assert tomllib.loads(f"a = {toml_text(text)}") == {"a": text}
 
 
 @pytest.mark.parametrize(
@@ -169,6 +197,8 @@ def test_variants_without_a_header_are_refused_since_they_could_not_be_cut(text:
         ('name = "box"', 'name = "x"', "two things that vary have the name `x`"),
         ('name = "box"', 'name = "a b"', "invalid name `a b` of what varies"),
         ('"scene.objects.box"', '"scene.objects.can1"', "`box` and `x` set the same value"),
+        ("scene.objects.box", "scene.objects.can1.at_mm.1", ".1` and `scene.objects.can1.at_mm.x`"),
+        ("scene.objects.box", "task.goal.x.on", "`task.goal.x.on` and `task.goal.1.on` set the"),
         ("box = [false]", "box = [3]", "`box` never has this value"),
         ("box = [false]", "fox = [false]", "unknown key `fox` in `[variants.without 1]`"),
         ("box = [false]", "box = [true, false]\nx = [0.1]", None),

@@ -16,6 +16,9 @@ PLACES = {
 }
 
 
+THEIRS = "its places are those of"
+
+
 def program(grip: float, put: float, comment: str = "") -> bytes:
     places = f"grip {grip} 0 0 0 0 0\nput {put} 0 0 0 0 0\nmine 7 0 0 0 0 0\n"
     return f"{comment}\n.PROGRAM main()\n.END\n.LOCATIONS\n{places}.END\n".encode()
@@ -31,6 +34,9 @@ def program(grip: float, put: float, comment: str = "") -> bytes:
         (program(1, 2, "; Variant DDDD-FFFF of mine"), Other("dddd-ffff", "it names")),
         (program(1, 2, "x = 1 ; variant gggg-hhhh"), Other("gggg-hhhh", "it names")),
         (program(1, 2, 'TYPE "variant dddd-ffff"'), None),  # no comment
+        (program(3, 2.5).replace(b"grip", b"my_own"), None),  # it has a place of its own
+        (program(3, 2).replace(b"grip", b"a").replace(b"put", b"b"), None),  # one is the own, too
+        (program(3, 4).replace(b"grip", b"a").replace(b"put", b"b"), Other("dddd-ffff", THEIRS)),
         (b"", None),
         (b"\xff\x00;variant", None),
     ],

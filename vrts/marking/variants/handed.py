@@ -1,0 +1,178 @@
+"""What was handed out, written down beside the key: marking goes by it, and not by a new draw.
+
+A draw made again gives others as soon as something that it goes by has changed: a choice, an
+address in the list. Who has which is sealed with the key.
+"""
+
+import hashlib
+import hmac
+import os
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Final, Literal, NamedTuple, TypeAlias
+
+import msgspec
+
+from vrts.assignments.variants.key import BAD_KEY, NAME, place_of_handed
+from vrts.assignments.variants.of_task import VariedTask
+from vrts.base.diagnostic import error
+from vrts.check.variants.drawn import Variant
+from vrts.check.variants.model import Combination, Variants
+from vrts.marking.intake.row import Platform
+from vrts.marking.variants.class_list import ClassList, Member, shown_names
+from vrts.pipeline.files import read_bytes
+from vrts.pipeline.refused import Refused
+
+SCHEMA: Final = "vrts.handed/1"
+NOT_HANDED: Final = "`vrts task variants` has handed out no variant to this student"
+
+
+class HandedTo(msgspec.Struct, frozen=True):
+    """What one student was handed out."""
+
+    tag: str
+    values: dict[str, tuple[str, ...]]  # TOML text for each path, by the name of what varies
+
+
+Students: TypeAlias = dict[str, HandedTo]  # by platform and id: "moodle 4711"
+
+
+class _File(msgspec.Struct, frozen=True):
+    format: Literal["vrts.handed/1"]
+    tasks: dict[str, Students]  # by `assignment`: several may have one key
+    seal: str  # by the key
+
+
+class Given(NamedTuple):
+    """Who has which variant."""
+
+    variants: Mapping[str, Variant]  # by id in the class
+    doubts: Mapping[str, str]  # by id: why it may be another one than was handed out
+    gone: tuple[Member, ...]  # whose variant the task does not have any more
+
+
+def variants_of(varied: VariedTask, members: ClassList, key: bytes, handed: Students) -> Given:
+    """Return the variant of everybody in a class: the one handed out, else the one drawn.
+
+    Args:
+        varied: The task.
+        members: The class.
+        key: The teacher's.
+        handed: What was handed out; nothing: nobody knows, and all are drawn.
+
+    Raises:
+        Refused: Hardly any combination is left for students.
+    """
+    found: dict[str, Variant] = {}
+    doubts: dict[str, str] = {}
+    gone: list[Member] = []
+    for member in members.members:
+        was = handed.get(_name(members.platform, member))
+        combination = None if was is None else _combination(varied.variants, was.values)
+        if was is not None and combination is not None:
+            found[member.number] = Variant(combination, was.tag)
+            continue
+        found[member.number] = varied.drawn(key, member.drawn_by)
+        if was is not None:
+            gone.append(member)
+            words = f"the variant `{was.tag}` was handed out, which `[variants]` does not have now"
+            doubts[member.number] = f"{words}; marked by `{found[member.number].tag}`"
+        elif handed:
+            doubts[member.number] = NOT_HANDED
+    return Given(found, doubts, tuple(gone))
+
+
+def check_some_left(given: Given, key: Path) -> None:
+    """Check that not everybody would be marked by another variant than was handed out.
+
+    Raises:
+        Refused: Everybody would.
+    """
+    if given.gone and len(given.doubts) == len(given.variants):
+        raise changed(given.gone, key)
+
+
+def changed(gone: Sequence[Member], key: Path) -> Refused:
+    """Return the refusal where a task has not the variants any more that were handed out."""
+    headline = f"`[variants]` was changed: what was handed out to {shown_names(gone)} is gone"
+    remedies = (
+        "put `[variants]` back as it was when variants were handed out",
+        f"to draw all anew, delete `{place_of_handed(key)}`, and hand out anew",
+    )
+    return Refused((error(BAD_KEY, headline, help=remedies),))
+
+
+def read_handed(place: Path, key: bytes, assignment: str) -> Students:
+    """Return what was handed out by a key; nothing where nothing is written.
+
+    Args:
+        place: Of the key.
+        key: The teacher's.
+        assignment: Of the task.
+
+    Raises:
+        Refused: It was not written with this key, or is of another assignment.
+    """
+    path = place_of_handed(place)
+    tasks = _tasks(path, key)
+    if place.name == NAME and tasks and assignment not in tasks:  # the key of one task
+        headline = f"`assignment` is `{assignment}`, and variants were handed out for"
+        headline += f" `{next(iter(tasks))}`"
+        remedies = ("put it back: variants are drawn by it", f"to draw all anew, delete `{path}`")
+        raise Refused((error(BAD_KEY, headline, help=remedies),))
+    return tasks.get(assignment, {})
+
+
+def handed_bytes(
+    place: Path, key: bytes, variants: Variants, members: ClassList, given: Given
+) -> bytes:
+    """Return what is written down beside a key; what others were handed out by it stays.
+
+    Raises:
+        Refused: What is there was not written with this key.
+    """
+    tasks = _tasks(place_of_handed(place), key)
+    students = tasks.setdefault(variants.assignment, {})
+    for member in members.members:
+        variant = given.variants[member.number]
+        chosen = zip(variants.varies, variant.combination, strict=True)
+        values = {vary.name: vary.choices[choice] for vary, choice in chosen}
+        students[_name(members.platform, member)] = HandedTo(variant.tag, values)
+    data = msgspec.json.encode(_File(SCHEMA, tasks, _seal(key, tasks)), order="sorted")
+    return msgspec.json.format(data, indent=1) + b"\n"
+
+
+def _tasks(path: Path, key: bytes) -> dict[str, Students]:
+    if not os.path.lexists(path):
+        return {}
+    try:
+        found = msgspec.json.decode(b"" if path.is_symlink() else read_bytes(path), type=_File)
+        sealed = hmac.compare_digest(found.seal, _seal(key, found.tasks))
+    except (msgspec.DecodeError, UnicodeDecodeError, TypeError):
+        found, sealed = _File(SCHEMA, {}, ""), False
+    if not sealed:
+        headline = f"`{path}` was changed, or belongs to another key"
+        remedies = (
+            "put it back, or the key: they tell who was handed out what",
+            "to draw all anew, delete it, and hand out anew",
+        )
+        raise Refused((error(BAD_KEY, headline, help=remedies),))
+    return found.tasks
+
+
+def _seal(key: bytes, tasks: Mapping[str, Students]) -> str:
+    return hmac.new(key, msgspec.json.encode(tasks, order="sorted"), hashlib.sha256).hexdigest()
+
+
+def _name(platform: Platform, member: Member) -> str:
+    return f"{platform.value} {member.number}"
+
+
+def _combination(variants: Variants, values: Mapping[str, tuple[str, ...]]) -> Combination | None:
+    """Return the combination with some values; None: there is none with just these."""
+    if set(values) != {vary.name for vary in variants.varies}:
+        return None
+    chosen = [(vary.choices, values[vary.name]) for vary in variants.varies]
+    if any(value not in choices for choices, value in chosen):
+        return None
+    return tuple(choices.index(value) for choices, value in chosen)
