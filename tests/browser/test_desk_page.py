@@ -1,4 +1,4 @@
-"""The marker's desk in a real browser: by keyboard alone, two graders, hostile texts, axe."""
+"""The graders' desk in a real browser: by keyboard alone, two graders, hostile texts, axe."""
 
 import json
 from collections.abc import Iterator
