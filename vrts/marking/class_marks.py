@@ -14,7 +14,7 @@ from vrts.marking.intake.tree.opening import Tree, Unreadable
 from vrts.marking.lateness import Marks, best, in_row, lateness, marks
 from vrts.marking.marking import Done, Entry
 from vrts.marking.result import Kind, Result
-from vrts.marking.row import HandedIn, Lateness, Row, Student, row_of
+from vrts.marking.row import BEST_OF, HandedIn, Lateness, Row, Student, row_of
 from vrts.marking.unsafe import WITHOUT_MARK, Doubt, Reason
 
 KINDS = {
@@ -71,7 +71,7 @@ def with_best_attempts(
         ]
         number = best(worth)
         attempt = tried[names[number]][1]
-        why = f"the best of {len(names)} attempts, number {number + 1}"
+        why = f"{BEST_OF} {len(names)} attempts, number {number + 1}"
         if rules is not None and rules.is_exam:
             why = f"{why}; {row.why}"
         chosen[row.identifier] = replace(
@@ -139,6 +139,7 @@ def class_row(found: Found, result: Result, rules: LateRules | None) -> Row:
             None if received is None else received.isoformat(),
             found.attempt,
             found.doubts,
+            None if found.due is None else found.due.isoformat(),
         ),
         _late(found, result, rules),
     )

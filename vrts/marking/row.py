@@ -14,6 +14,7 @@ from vrts.marking.result import Damaged, Digest, Exact, Mark, Record, Result, ch
 from vrts.marking.unsafe import ALL, Doubt, Reason, doubts, in_order
 
 CLASS_SCHEMA = "vrts.class/1"
+BEST_OF = "the best of"  # begins `why` of a hand-in that was chosen among several by its mark
 OF_SESSION = "the last session of the room in which something was done"  # `why` of a hand-in
 LARGEST = 512_000_000  # bytes of the rows of a class
 
@@ -37,6 +38,9 @@ class HandedIn(Record, frozen=True):
     doubts: Annotated[
         tuple[Doubt, ...], Meta(description="why another attempt may be what counts")
     ] = ()
+    due: Annotated[
+        str | None, Meta(description="own deadline by which it was chosen, ISO 8601; null: none")
+    ] = None
 
 
 class Lateness(Record, frozen=True):
@@ -102,6 +106,9 @@ class Decided(Record, frozen=True, omit_defaults=True):
         tuple[str, ...], Meta(description="what graders have decided differently")
     ] = ()
     lapsed: Annotated[tuple[str, ...], Meta(description="decided about another program")] = ()
+    again: Annotated[
+        str, Meta(description="why another attempt may count by the later deadline")
+    ] = ""
     late: Annotated[
         Lateness | None, Meta(description="what lateness would be without the later deadline")
     ] = None
@@ -203,7 +210,11 @@ def _doubts(
     if handed_in.doubts and ALL not in settled:
         others = (doubt for doubt in handed_in.doubts if doubt.reason.value not in settled)
         found = in_order((*found, *others))
-    if decided is None or not (decided.conflicts or decided.lapsed):
+    if decided is None:
+        return found
+    if decided.again and not {ALL, Reason.LATE.value}.intersection(settled):
+        found = in_order((*found, Doubt(Reason.LATE, decided.again)))
+    if not (decided.conflicts or decided.lapsed):
         return found
     of_graders = (
         *(Doubt(Reason.CONFLICT, text) for text in decided.conflicts),

@@ -19,11 +19,12 @@ from vrts.marking.by_hand.decisions.records import (
 )
 from vrts.marking.by_hand.decisions.sound import above, beyond
 from vrts.marking.by_hand.decisions.state import OfStudent, Prepared, program_in
-from vrts.marking.by_hand.decisions.words import number, sentence_of
+from vrts.marking.by_hand.decisions.words import due_words, number, sentence_of
 from vrts.marking.by_hand.excused import excused_result
 from vrts.marking.by_hand.overrides import Override, change_of, settled_by
 from vrts.marking.lateness import in_row, lateness
 from vrts.marking.row import (
+    BEST_OF,
     Change,
     Decided,
     Given,
@@ -87,6 +88,7 @@ def graded(
         made.excused,
         (*(one.sentence for one in mine.conflicts), *((made.conflict,) if made.conflict else ())),
         tuple(_lapsed(mine)),
+        "" if made.excused else _again(row, due, rules),
         row.late if due or made.excused else None,
         row.result if made.excused else None,
     )
@@ -112,6 +114,22 @@ def _late(row: Row, mine: OfStudent, rules: LateRules | None) -> tuple[Lateness 
     if found is not None and Fraction(found.deduction) > Fraction(row.late.deduction):
         return row.late, said.due  # the table of the intake gives still more time
     return found, said.due
+
+
+def _again(row: Row, due: str, rules: LateRules | None) -> str:
+    """Return why the attempt that counts may be another one by a later deadline; "": it is not.
+
+    Only marking chooses among attempts: by the deadline that it knew.
+    """
+    if not due or rules is None:
+        return ""
+    known = row.handed_in.due
+    before = rules.due if known is None else datetime.fromisoformat(known)
+    if datetime.fromisoformat(due) <= before:
+        return ""
+    if not (rules.is_exam or row.handed_in.why.startswith(BEST_OF)):
+        return ""
+    return f"there is time until {due_words(due)}, by which another attempt may count: mark again"
 
 
 def _comments(mine: OfStudent) -> Iterator[Told]:

@@ -7,12 +7,15 @@ nothing hidden is.
 from fractions import Fraction
 from typing import NamedTuple
 
+from msgspec.structs import replace
+
+from vrts.check.task.manifest import IN_HIDDEN_SCENE
 from vrts.marking.by_hand.decisions.words import due_words
 from vrts.marking.exports.given import Returned
 from vrts.marking.exports.numbers import decimal
 from vrts.marking.exports.steps import steps
 from vrts.marking.result import Kind
-from vrts.marking.row import Row
+from vrts.marking.row import Decided, Row
 from vrts.marking.unsafe import Reason
 from vrts.report.page.html import element, joined, prose
 from vrts.report.plain import one_line, plain_text
@@ -122,7 +125,7 @@ def _words(told: Returned) -> Words:
 
 def said_by_graders(row: Row) -> tuple[str, ...]:
     """Return what graders have written for a student: comments, items with their places, a date."""
-    decided = row.decided
+    decided = for_student(row)
     if decided is None:
         return ()
     found = [f"{place_of(c.line, c.time_s)}{one_line(c.text)} ({c.who})" for c in decided.comments]
@@ -133,6 +136,29 @@ def said_by_graders(row: Row) -> tuple[str, ...]:
     if decided.due:
         found.append(f"You had time until {due_words(decided.due)}.")
     return tuple(found)
+
+
+def for_student(row: Row) -> Decided | None:
+    """Return what is decided about a row as its student may know it.
+
+    Moments are of the run that graders see. Where that was in a hidden scene, students see another
+    run, in which they would be wrong, and might tell what is hidden.
+    """
+    decided = row.decided
+    if decided is None:
+        return None
+    result = decided.result or row.result
+    if not any(stamp.startswith(IN_HIDDEN_SCENE) for stamp in result.stamps):
+        return decided
+    comments = tuple(replace(one, time_s=None) for one in decided.comments)
+    items = tuple(
+        replace(
+            item,
+            places=tuple(dict.fromkeys((line, None) for line, _ in item.places if line)),
+        )
+        for item in decided.items
+    )
+    return replace(decided, comments=comments, items=items)
 
 
 def place_of(line: int | None, time_s: float | None) -> str:

@@ -12,6 +12,7 @@ from vrts.marking.by_hand.by_hand import ByHand, all_lapses, rows_by_hand
 from vrts.marking.by_hand.decisions.files import locked
 from vrts.marking.class_files import write_class
 from vrts.marking.exports.earlier_marks import with_times_judged
+from vrts.marking.exports.feedback import for_student
 from vrts.marking.exports.numbers import decimal
 from vrts.marking.exports.write import is_name, write_feedback
 from vrts.marking.layout import Layout, write_atomically
@@ -102,7 +103,8 @@ def write_sections(
             if place.is_symlink() or not place.is_file():
                 continue
             page = place.read_bytes()
-            after = with_section(page, row.decided, staff=staff, final=_final(row))
+            decided = row.decided if staff else for_student(row)
+            after = with_section(page, decided, staff=staff, final=_final(row))
             if after != page:
                 write_atomically(place, after)
 

@@ -75,7 +75,8 @@ def _section(page: _Page, decided: Decided, final: str, *, staff: bool) -> Marku
     if final and decided.steps:
         items.append(element("li", element("b", f"Final mark: {final}")))
     if staff:
-        told = (*decided.conflicts, *decided.lapsed)
+        again = (decided.again,) if decided.again else ()
+        told = (*decided.conflicts, *decided.lapsed, *again)
         items += [element("li", element("b", "Not settled: "), one_line(text)) for text in told]
     if not items:
         return ""

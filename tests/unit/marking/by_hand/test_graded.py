@@ -9,6 +9,7 @@ from tests.support_rows import plain_result
 from tests.unit.marking.by_hand.support import AT, change, ledger
 from vrts.base.source import SourceFile
 from vrts.check.task.late_rules import LateRules
+from vrts.check.task.manifest import IN_HIDDEN_SCENE
 from vrts.marking.by_hand.by_hand import ByHand, all_lapses, with_by_hand
 from vrts.marking.by_hand.decisions.listing import listing, with_file
 from vrts.marking.by_hand.decisions.records import (
@@ -25,7 +26,7 @@ from vrts.marking.by_hand.decisions.records import (
 from vrts.marking.by_hand.decisions.sound import flaw_of
 from vrts.marking.by_hand.decisions.state import prepared, state_of
 from vrts.marking.by_hand.overrides import NONE, program_of, read_overrides
-from vrts.marking.exports.feedback import feedback_text
+from vrts.marking.exports.feedback import feedback_text, said_by_graders
 from vrts.marking.exports.given import Returned
 from vrts.marking.exports.steps import steps
 from vrts.marking.lateness import in_row, lateness
@@ -273,6 +274,46 @@ def test_a_later_deadline_changes_what_lateness_costs() -> None:
     assert decided(late, huber=(earlier,)).final == 6.0  # no extension takes time away
     assert decided(late, huber=(one_day,), lang=(week,)).final == 6.0
     assert reasons(decided(row(8.0, None), huber=(week,))) == [Reason.LATE]
+
+
+def test_more_time_by_which_another_attempt_may_count_asks_to_mark_again() -> None:
+    week = Extend(1, AT, ("anna",), (DUE + timedelta(days=7)).isoformat(), "ill")
+    best = replace(row().handed_in, why="the best of 2 attempts, number 1")
+    for handed_in, again in (
+        (row().handed_in, False),
+        (best, True),
+        (replace(best, due=week.due), False),  # it was chosen by this deadline
+    ):
+        before = row_of(row().result, Student("Anna"), handed_in)
+        found = decided(before, huber=(week,))
+        assert (reasons(found) == [Reason.LATE]) is again
+        assert ("mark again" in "".join(one.sentence for one in found.unsafe)) is again
+    exam = by_hand(huber=(week,))._replace(late=LateRules(DUE, opens=DUE - timedelta(hours=1)))
+    assert reasons(with_by_hand(row(), exam)) == [Reason.LATE]
+
+
+def test_moments_of_a_run_that_students_do_not_see_are_not_told() -> None:
+    item, place = replace(ITEM, points="-1"), replace(GIVEN, time_s=4.5)
+    files = (item, place, Comment(1, AT, "anna", "too fast", 7, 3.2))
+    hidden = replace(row().result, stamps=(f"{IN_HIDDEN_SCENE} `b`, where the mark is lowest",))
+    for result, told in ((row().result, True), (hidden, False)):
+        found = decided(row_of(result, Student("Anna"), HandedIn()), huber=files)
+        text = " ".join(said_by_graders(found))
+        assert "line 7" in text
+        assert "line 9" in text
+        assert ("3.20 s" in text) is told
+        assert ("4.50 s" in text) is told
+
+
+def test_who_has_no_mark_reads_of_no_points_that_do_not_count() -> None:
+    unmarked = replace(row().result, mark=None, kind=Kind.RESOURCE)
+    for before, more in (
+        (row_of(unmarked, Student("Anna"), HandedIn()), ()),
+        (row(), (Excuse(1, AT, ("anna",), "ill"),)),
+    ):
+        found = decided(before, huber=(ITEM, GIVEN, Comment(1, AT, "anna", "why?"), *more))
+        assert found.final is None
+        assert said_by_graders(found) == ("why? (Huber)",)
 
 
 def test_what_was_decided_about_another_program_does_not_count() -> None:
