@@ -23,6 +23,13 @@ NAME = "document.getElementById('row-name').textContent"
 MARK = "document.querySelector('.final').textContent"
 NOTES = "document.getElementById('notes').textContent"
 CONFLICTS = "document.getElementById('conflict-count').textContent"
+OVERRIDE = """[[change]]
+student = "s0010"  # whom a grader has excused
+delta = 0.5
+reason = "shown in the lab"
+who = "W. Lutz"
+date = "2026-11-30"
+"""
 CHECKED = "document.querySelector('[name=comment-place]:checked').value"
 
 
@@ -30,6 +37,7 @@ CHECKED = "document.querySelector('[name=comment-place]:checked').value"
 def out(tmp_path: Path) -> Path:
     """Return a class whose reports show a true replay, and whose first name is markup."""
     layout = write_desk_class(tmp_path, 12, hostile=True)
+    layout.overrides.write_text(OVERRIDE, encoding="utf-8")
     report = page(assessment(), {"moment": PIXEL})
     for place in (layout.staff / "students").glob("*/report.html"):
         place.write_text(report, encoding="utf-8")
@@ -208,6 +216,10 @@ def test_axe_finds_nothing_and_hostile_texts_are_texts(
     assert view.page.locator("main script, #notes script").count() == 0
     for name in ("work", "conflicts", "causes", "statistics"):
         view.page.click(f"[data-go={name}]")
+        if name == "conflicts":
+            told = view.page.locator(".dispute", has_text="overrides.toml")
+            assert "Delete the one in that file" in told.inner_text()
+            assert told.locator("button.main").count() == 0, "there is no side to choose"
         if name == "statistics":
             until(view, "document.querySelector('#view-statistics svg') !== null")
         for dark in (False, True):

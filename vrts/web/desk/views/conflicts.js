@@ -7,12 +7,12 @@ import { when } from "../words.js";
 /** @typedef {import("../desk.js").Desk} Desk */
 /** @typedef {import("../types.js").Conflict} Conflict */
 
-const WITH_FILE = "A mark in `overrides.toml` and one by a grader differ. Delete the one in that file, or undo the other in the history of the program.";
+const WITH_FILE = "A change in `overrides.toml` and a decision by a grader differ. Delete the one in that file, or undo the other in the history of the program.";
 
 const WITHOUT = "Decide it again, or undo it in the history of the program.";
 
 /** What a conflict is about, in words. @type {Record<string, string>} */
-const ABOUT = { file: "a mark in overrides.toml" };
+const ABOUT = { file: "a change in overrides.toml" };
 
 /** The view. */
 export class Conflicts {
@@ -60,7 +60,7 @@ export class Conflicts {
       desk.show("work");
       void desk.choose(row.id);
     }, { class: "as-link" }))] : [];
-    const told = make("p", {}, ...prose(conflict.sentence));
+    const told = make("p", {}, ...prose(conflict.sentence.charAt(0).toUpperCase() + conflict.sentence.slice(1)));
     if (!conflict.sides.length) return make("section", { class: "dispute", "aria-label": conflict.sentence }, title, told, make("p", {}, ...prose(conflict.sentence.includes("`overrides.toml`") ? WITH_FILE : WITHOUT)), ...look);
     return make("section", { class: "dispute", "aria-label": conflict.sentence }, title, told,
       ...look,
