@@ -12,6 +12,7 @@ from vrts.pipeline.pieces.in_scene import Asked, Shown, look_at_pieces, make_pie
 if TYPE_CHECKING:
     from vrts.base.diagnostic import Diagnostic
     from vrts.base.source import SourceFile
+    from vrts.pipeline.setting import Setting
     from vrts.scene.colors import Color
     from vrts.scene.model import Body, Scene
 
@@ -39,6 +40,16 @@ def told_pieces(source: "SourceFile", folder: Path) -> "tuple[list[str], tuple[D
     """Return what there is to say of the meshes of a scene, in lines, and what is wrong."""
     shown, found = look_at_pieces(source, folder)
     return [line for each in shown for line in _lines(each)], found
+
+
+def task_pieces(setting: "Setting", folder: Path) -> "tuple[Diagnostic, ...]":
+    """Return what is wrong with the meshes of the task in a folder, proven again."""
+    from vrts.pipeline.files import find_scene, read_toml_source
+
+    if setting.task is None or not any(body.kind == "mesh" for body in setting.scene.bodies):
+        return ()
+    place = find_scene(setting.task.scene, folder)
+    return look_at_pieces(read_toml_source(place), place.parent)[1]
 
 
 def _lines(shown: Shown) -> Iterable[str]:

@@ -82,6 +82,7 @@ def check(
     one_thread_each()
     from vrts.assignments.task_check import check_task
     from vrts.assignments.task_folder import reference_of
+    from vrts.cli.authoring.mesh_pieces import task_pieces
 
     setting = _setting(folder, lab)
     if roster is not None and (setting.task is None or setting.task.variants is None):
@@ -90,7 +91,7 @@ def check(
     if write:
         _write_readme(_folder(folder))
     found = check_task(setting, reference or reference_of(_folder(folder)))
-    told = _told(_folder(folder))
+    told = (*_told(_folder(folder)), *task_pieces(setting, _folder(folder)))
     found = found._replace(findings=(*found.findings, *told))
     show_diagnostics(found.findings, color)
     out(_text(setting, found))

@@ -14,12 +14,12 @@ from vrts.scene.meshes.pieces_file import FORMAT, Pieces, PiecesFault, pieces_te
 from vrts.scene.meshes.pieces_file import MOST_BYTES as MOST_TEXT
 from vrts.scene.meshes.triangles import MeshFault
 from vrts.scene.reading.files import FileFault, SceneFolder
-from vrts.scene.reading.mesh_section import MeshKeys, read_mesh_keys
+from vrts.scene.reading.mesh_section import MeshKeys, read_mesh_keys, tell_changed
 
 MESH = Rule("V897", "mesh-refused")
-CHANGED = Rule("V910", "mesh-changed")
 NO_LIBRARY = Rule("V911", "no-mesh-library")
 NOT_HELD = Rule("V912", "mesh-not-held")
+NOT_THERE = Rule("V913", "mesh-not-there")
 
 
 class Asked(NamedTuple):
@@ -111,7 +111,14 @@ def _beside(
     problems: Problems, pieces: Pieces, keys: MeshKeys, section: Table, folder: Path
 ) -> Compared | None:
     if not (folder / keys.file).exists():
-        return None  # runs do not need it
+        problems.warning(
+            NOT_THERE,
+            f"`{keys.file}` is not there: whether its pieces hold it was not proven",
+            section.value_span("file"),
+            help=("put it back into that folder, and check again; runs do not need it",),
+            data={"file": keys.file},
+        )
+        return None
     try:
         data = SceneFolder(folder).read(keys.file, MOST_BYTES)
         beside = compared(pieces, keys.file, data)
@@ -119,13 +126,7 @@ def _beside(
         _refused(problems, keys, section, fault)
         return None
     if not beside.same:
-        problems.error(
-            CHANGED,
-            f"`{keys.file}` is another mesh than the one its pieces were made of",
-            section.value_span("file"),
-            help=("make them again: `vrts scene check SCENE --write`",),
-            data={"file": keys.file},
-        )
+        tell_changed(section, keys.file)
     elif beside.stands_out > 0.0 or _differ(pieces, beside.pieces):
         what = (
             f"it stands out of them by up to {beside.stands_out:.3f} mm"

@@ -45,6 +45,19 @@ class SceneFolder:
         self.contents[name] = data
         return data
 
+    def beside(self, name: str, most: int) -> bytes | None:
+        """Return the bytes of a file that runs do not need, at most one more; None: not there.
+
+        It is none of the files that the scene is made of.
+        """
+        known = dict(self.contents)
+        try:
+            return self.read(name, most)
+        except FileFault:
+            return None
+        finally:
+            self.contents = known
+
     def to_write(self, name: str, begins: bytes) -> Path:
         """Return where a file of ours goes in the folder.
 

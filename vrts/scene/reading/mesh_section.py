@@ -1,8 +1,10 @@
 """Reads an object of a scene file that a mesh describes: its pieces, the way up, where it is held.
 
-The mesh itself is not read: the pieces that were made of it stand in a file beside it.
+The pieces that were made of the mesh stand in a file beside it: runs go by these. The mesh need not
+be there; where it is, it must be the one that they were made of.
 """
 
+import hashlib
 import math
 from typing import NamedTuple
 
@@ -12,6 +14,7 @@ from vrts.base.pose import IDENTITY, Pose, Vector
 from vrts.base.toml.reading import Table
 from vrts.base.units import MM
 from vrts.geometry.shapes import Hull, Piece
+from vrts.scene.meshes.mesh_file import MOST_BYTES as MOST_OF_MESH
 from vrts.scene.meshes.mesh_file import UNITS
 from vrts.scene.meshes.pieces_file import MOST_BYTES, Pieces, PiecesFault, read_pieces
 from vrts.scene.reading.files import PIECES, FileFault, SceneFolder
@@ -19,6 +22,7 @@ from vrts.scene.things.forms import Form
 
 NO_PIECES = Rule("V899", "no-pieces")
 INVALID_PIECES = Rule("V909", "invalid-pieces")
+CHANGED = Rule("V910", "mesh-changed")
 
 FARTHEST = 10_000.0  # [mm] of a grip from the middle of the underside
 
@@ -112,7 +116,22 @@ def _pieces(section: Table, folder: SceneFolder, keys: MeshKeys) -> Pieces | Non
             data={"file": keys.pieces},
         )
         return None
+    mesh = folder.beside(keys.file, MOST_OF_MESH)
+    if mesh is not None and hashlib.sha256(mesh).hexdigest() != pieces.sha256:
+        tell_changed(section, keys.file)
+        return None
     return pieces
+
+
+def tell_changed(section: Table, file: str) -> None:
+    """Say that a mesh is another one than its pieces were made of."""
+    section.problems.error(
+        CHANGED,
+        f"`{file}` is another mesh than the one its pieces were made of",
+        section.value_span("file"),
+        help=("make them again: `vrts scene check SCENE --write`",),
+        data={"file": file},
+    )
 
 
 def _grip(section: Table) -> Pose | None:

@@ -72,6 +72,7 @@ def test_pieces_are_made_once_and_proven_at_every_check(tmp_path: Path) -> None:
     alone = check(folder)
     assert alone.exit_code == 0
     assert "runs do not need it" in alone.stdout
+    assert "V913" in alone.stderr
 
 
 @pytest.mark.parametrize(

@@ -1,5 +1,7 @@
 """Objects from meshes: read, stood up, gripped, set down, by their pieces alone."""
 
+import hashlib
+import json
 from collections.abc import Mapping
 
 import pytest
@@ -164,3 +166,18 @@ def test_something_small_falls_between_the_arms() -> None:
     assert rest is not None
     assert rest.stands
     assert rest.X_WO.translation[2] == pytest.approx(0.03, abs=5e-5)
+
+
+def test_a_mesh_that_is_there_must_be_the_one_that_the_pieces_were_made_of() -> None:
+    """A larger part, exported again, would be marked by the shape of before."""
+    assert codes(TEXT, {FILE: u_pieces(), "cradle.stl": b"exported again"}) == ["V910"]
+    mesh = b"as it was"
+    told = json.loads(u_pieces())
+    told["sha256"] = hashlib.sha256(mesh).hexdigest()
+    pieces = {FILE: json.dumps(told).encode()}
+    alone, _ = read(TEXT, pieces)
+    beside, found = read(TEXT, {**pieces, "cradle.stl": mesh})
+    assert found == ()
+    assert alone is not None
+    assert beside is not None
+    assert (alone.digest, sorted(alone.files)) == (beside.digest, sorted(beside.files))
