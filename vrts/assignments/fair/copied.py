@@ -1,5 +1,6 @@
 """Whether it pays to copy: the solution of one student marked by the variant of another."""
 
+import math
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import NamedTuple
@@ -13,18 +14,36 @@ MOST_PAIRS = 200  # of students, of which one copies from the other
 FROM_ONE = 5  # solutions that are tried in one variant, at least
 HALF = Fraction(1, 2)
 ENOUGH = Fraction(19, 20)  # share of pairs in which a copy earns at most half
+DOUBT = 0.05  # how often a sample may deceive
 
 
 class Copied(NamedTuple):
     """What copies earn."""
 
-    pairs: int
+    pairs: int  # that were tried
     paid: int  # pairs in which the copy earns more than half
+    of: int  # pairs that there are
 
     @property
     def pays(self) -> bool:
-        """Whether copies earn more than half too often."""
+        """Whether copies earn more than half too often in the pairs that were tried."""
         return self.pairs - self.paid < ENOUGH * self.pairs
+
+    @property
+    def shown(self) -> bool:
+        """Whether that they do not is shown for all pairs.
+
+        For a part of them: with more that pay than `ENOUGH` allows, so few would be found in less
+        than 5 % of samples [Clopper1934]_.
+        """
+        if self.pairs >= self.of:
+            return not self.pays
+        share = float(1 - ENOUGH)
+        few = (
+            math.comb(self.pairs, k) * share**k * (1 - share) ** (self.pairs - k)
+            for k in range(self.paid + 1)
+        )
+        return math.fsum(few) <= DOUBT
 
 
 def copied(
@@ -63,7 +82,7 @@ def copied(
     for (_, sources), shares in zip(things, workers.answers(ask, things), strict=True):
         counts = zip(sources.values(), shares, strict=True)
         paid += sum(count for count, share in counts if share > HALF)
-    return Copied(len(pairs), paid)
+    return Copied(len(pairs), paid, len(students) * (len(students) - 1))
 
 
 def sample(students: int, most: int) -> tuple[tuple[int, int], ...]:

@@ -7,7 +7,7 @@ as there is, and the same variants always give the same set.
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from itertools import combinations
+from itertools import chain, combinations
 from typing import NamedTuple, TypeAlias
 
 from vrts.check.variants.model import Combination, Variants
@@ -16,9 +16,11 @@ ALL = 100  # where there are no more variants than these, all are tried
 MOST_ROWS = 300  # about so many variants are tried; wide ranges are thinned out for pairs
 FEWEST = 2  # values of each of which pairs are taken: both ends
 MOST_TRIES = 20_000  # values that are looked at to complete one variant
+MOST_OF_ALL = 400_000  # and for all variants together
 
 _Value: TypeAlias = tuple[int, int]  # what varies, and which of its choices
-_News: TypeAlias = Callable[[_Value, Mapping[int, int]], int]  # what a value adds to a variant
+_News: TypeAlias = Callable[[int, Mapping[int, int]], Sequence[int]]
+# choices of what varies that add something to a variant, those that add most first
 
 
 class Covering(NamedTuple):
@@ -29,6 +31,7 @@ class Covering(NamedTuple):
     pairs: int
     never: int  # values and pairs that no student gets
     thinned: bool  # pairs only of some values of wide ranges: the ends, and some between
+    given_up: int = 0  # values and pairs for which no variant was found, and that may have one
 
 
 def covering(variants: Variants, most: int = MOST_ROWS) -> Covering:
@@ -44,36 +47,38 @@ def covering(variants: Variants, most: int = MOST_ROWS) -> Covering:
     width = _width(counts, most)
     chosen = [_spread(count, width) for count in counts]
     left = _Left(chosen)
-    every, never = left.size, 0
-    values = {(k, choice): None for k, count in enumerate(counts) for choice in range(count)}
-    whole = len(values)
+    every, never, given_up = left.size, 0, 0
     search = _Search(variants, counts)
     rows: list[Combination] = []
-    while left.size:
+    missing = [dict.fromkeys(range(count)) for count in counts]  # values in no variant yet
+    while left.size and not search.exhausted:
         pair = left.fullest()
         row = search.row(dict(pair), left.news)
         if row is None:
             left.drop(*pair)
-            never += 1
+            never, given_up = never + (not search.gave_up), given_up + search.gave_up
             continue
         rows.append(row)
         left.take(row)
-        for value in enumerate(row):
-            values.pop(value, None)
-    pairs = every - never
-    while values:
-        value = next(iter(values))
-        row = search.row(dict([value]), lambda one, _: one in values)
-        if row is None:
-            del values[value]
-            whole -= 1
-            never += 1
-            continue
-        rows.append(row)
-        for one in enumerate(row):
-            values.pop(one, None)
+        for some, choice in zip(missing, row, strict=True):
+            some.pop(choice, None)
+    given_up += left.size
+    pairs = every - never - given_up
+    whole = sum(counts)
+    for k, own in enumerate(missing):
+        while own:
+            choice = next(iter(own))
+            row = search.row({k: choice}, lambda one, _: tuple(missing[one]))
+            if row is None:
+                del own[choice]
+                whole -= 1
+                never, given_up = never + (not search.gave_up), given_up + search.gave_up
+                continue
+            rows.append(row)
+            for some, one in zip(missing, row, strict=True):
+                some.pop(one, None)
     thinned = any(len(some) < count for some, count in zip(chosen, counts, strict=True))
-    return Covering(tuple(rows), whole, pairs, never, thinned)
+    return Covering(tuple(rows), whole, pairs, never, thinned, given_up)
 
 
 def _all(variants: Variants, counts: Sequence[int]) -> Covering:
@@ -112,16 +117,21 @@ class _Left:
             for value in some
         }
         self.size = sum(map(len, self._with.values())) // 2
+        self._chosen = chosen
 
     def fullest(self) -> tuple[_Value, _Value]:
         """Return the pair whose values have most left; of equal ones the first."""
         value = max(self._with, key=lambda one: len(self._with[one]))
         return value, max(self._with[value], key=lambda one: len(self._with[one]))
 
-    def news(self, value: _Value, row: Mapping[int, int]) -> int:
-        """Return how many pairs a value would add to a variant."""
-        others = self._with.get(value, {})
-        return sum(other in others for other in row.items())
+    def news(self, k: int, row: Mapping[int, int]) -> list[int]:
+        """Return the choices that would add pairs to a variant, those that add most first."""
+        worth = {
+            choice: sum(other in others for other in row.items())
+            for choice in self._chosen[k]
+            if (others := self._with[k, choice])
+        }
+        return sorted((one for one in worth if worth[one]), key=lambda one: -worth[one])
 
     def take(self, row: Combination) -> None:
         """Leave out the pairs of a variant."""
@@ -142,6 +152,13 @@ class _Search:
         self._rules = [rule.choices for rule in variants.without]
         self._counts = counts
         self._tries = 0
+        self._of_all = 0
+        self.gave_up = False  # the last time: what was asked for may be there all the same
+
+    @property
+    def exhausted(self) -> bool:
+        """Whether nothing more is looked for."""
+        return self._of_all > MOST_OF_ALL
 
     def row(self, start: Mapping[int, int], news: _News) -> Combination | None:
         """Return a variant with some choices, and otherwise with as much that is new as it can.
@@ -149,8 +166,9 @@ class _Search:
         None: no student gets one with these choices, or none was found.
         """
         self._tries = 0
+        self.gave_up = self.exhausted
         row = dict(start)
-        if not self._allowed(row) or not self._completed(row, news):
+        if self.gave_up or not self._allowed(row) or not self._completed(row, news):
             return None
         return tuple(row[k] for k in range(len(self._counts)))
 
@@ -159,10 +177,13 @@ class _Search:
         if following is None:
             return True
         count = self._counts[following]
-        worth = [news((following, choice), row) for choice in range(count)]
-        for choice in sorted(range(count), key=lambda one: -worth[one]):
+        first = dict.fromkeys(news(following, row))
+        rest = (choice for choice in range(count) if choice not in first)
+        for choice in chain(first, rest):
             self._tries += 1
-            if self._tries > MOST_TRIES:
+            self._of_all += 1
+            if self.gave_up or self._tries > MOST_TRIES or self.exhausted:
+                self.gave_up = True
                 return False
             row[following] = choice
             if self._allowed(row) and self._completed(row, news):

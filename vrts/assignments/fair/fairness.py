@@ -42,7 +42,7 @@ class Fairness(NamedTuple):
     @property
     def fair(self) -> bool:
         """Whether every variant that was tried can be handed out."""
-        return not self.out
+        return not self.out and not self.covering.given_up
 
 
 def fairness(varied: VariedTask, students: Mapping[str, Combination], workers: Workers) -> Fairness:

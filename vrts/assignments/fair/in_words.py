@@ -5,13 +5,14 @@ from collections.abc import Iterator
 from vrts.assignments.fair.copied import ENOUGH
 from vrts.assignments.fair.fairness import Fairness, FallsOut
 from vrts.assignments.fair.remedy import as_toml
-from vrts.assignments.fair.uneven import Measure
+from vrts.assignments.fair.uneven import Measure, shown
 from vrts.base.diagnostic import Diagnostic, Label, Rule, error, warning
 from vrts.check.variants.drawn import variant
 from vrts.check.variants.model import Combination, Variants
 
 FALLS_OUT = Rule("V818", "variant-falls-out")
 COPIES_PAY = Rule("V819", "copies-pay")
+NOT_TRIED = Rule("V828", "variants-not-tried")
 
 SHOWN = 20  # variants that fall out, each with its values
 FEW = 3  # where every variant does
@@ -29,7 +30,9 @@ def fair_findings(variants: Variants, found: Fairness) -> tuple[Diagnostic, ...]
         if none:
             headline = f"all {more} other variants that were tried fall out, too"
         told.append(error(FALLS_OUT, headline, Label(variants.span), help=(_AGAIN,)))
-    if found.copied is not None and found.copied.pays:
+    if found.covering.given_up:
+        told.append(_not_tried(variants, found))
+    if found.copied is not None and not found.copied.shown:
         told.append(_pays(variants, found))
     return tuple(told)
 
@@ -54,11 +57,23 @@ def _falls_out(variants: Variants, one: FallsOut, remedy: str) -> Diagnostic:
     )
 
 
+def _not_tried(variants: Variants, found: Fairness) -> Diagnostic:
+    count = found.covering.given_up
+    what = "value or pair of values is" if count == 1 else "values and pairs of values are"
+    headline = f"{count:,} {what} in no variant that was tried"
+    note = "students may get them: looking for such a variant took too long"
+    remedy = "let less vary, or make `[[variants.without]]` fewer and simpler"
+    return error(NOT_TRIED, headline, Label(variants.span), notes=(note,), help=(remedy,))
+
+
 def _pays(variants: Variants, found: Fairness) -> Diagnostic:
     assert found.copied is not None
-    pairs, paid = found.copied
+    pairs, paid, of = found.copied
     headline = f"copied values earn more than half in {paid} of {pairs} pairs of students"
-    most = f"at most {float(100 * (1 - ENOUGH)):g} % should: variants are too much alike"
+    share = f"{float(100 * (1 - ENOUGH)):g} %"
+    most = f"at most {share} should: variants are too much alike"
+    if not found.copied.pays:
+        most = f"that at most {share} of all {of:,} pairs do is not shown by so few"
     remedies = (
         "let more places vary, and by more than the goals and the hand forgive",
         "put into `staff_names` what students are to find by themselves",
@@ -78,6 +93,8 @@ def fair_lines(variants: Variants, found: Fairness) -> Iterator[str]:
     if cover.never:
         excluded = "value or pair is" if cover.never == 1 else "values and pairs are"
         yield f"  {cover.never} {excluded} excluded by `[[variants.without]]`"
+    if cover.given_up:
+        yield f"  {cover.given_up} values and pairs could not be tried"
     if found.students:
         have = "1 student of the list has" if found.students == 1 else "students of the list have"
         many = have if found.students == 1 else f"{found.students} {have}"
@@ -88,15 +105,18 @@ def fair_lines(variants: Variants, found: Fairness) -> Iterator[str]:
     yield f"  {fit} can be done and are equally hard; {fall}"
     yield ""
     yield "difficulty    median   least    most   allowed"
-    for measure in found.measures:
+    for measure in shown(found.measures):
         yield _measure(measure)
         for what, (value, combination) in (("least", measure.least), ("most", measure.most)):
             if measure.outside:
                 yield f"    {what} {value:.1f} {measure.unit}: {_named(variants, combination)}"
     if found.copied is not None:
-        pairs, paid = found.copied
+        pairs, paid, of = found.copied
         yield ""
         yield f"copied: {paid} of {pairs} pairs earn more than half with the values of another"
+        if pairs < of:
+            whose = "of the list" if found.students else "of made-up students"
+            yield f"  {pairs} of the {of:,} pairs {whose} were tried"
     if found.excluded:
         yield ""
         yield "to exclude what falls out, paste this at the end of task.toml:"
@@ -111,9 +131,10 @@ def fair_lines(variants: Variants, found: Fairness) -> Iterator[str]:
 def _measure(measure: Measure) -> str:
     low, high = measure.allowed
     name = f"{measure.title} [{measure.unit}]"
+    of = f", {measure.of}" if measure.outside and measure.of else ""
     return (
         f"  {name:<14}{measure.median:6.1f}  {measure.least[0]:6.1f}  {measure.most[0]:6.1f}"
-        f"   {low:.1f} to {high:.1f} ({measure.bound})"
+        f"   {low:.1f} to {high:.1f} ({measure.bound}{of})"
     )
 
 

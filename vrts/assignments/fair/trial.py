@@ -10,7 +10,7 @@ from vrts.assignments.task_check import EMPTY
 from vrts.assignments.variants.of_task import VariedTask
 from vrts.base.diagnostic import Diagnostic
 from vrts.base.pose import IDENTITY
-from vrts.base.units import DEG
+from vrts.base.units import DEG, mm
 from vrts.check.mark.grade import Grade
 from vrts.check.task.feasible import task_findings
 from vrts.check.task.task import Task
@@ -33,6 +33,14 @@ NOT_CERTIFIED = "the collision checks of the reference are not certified"
 WITHOUT_END = "the reference does not come to its end"
 
 
+class Room(NamedTuple):
+    """By how far a program may be off in one thing that is asked for."""
+
+    of: str  # "goal 1": the same in all variants
+    unit: str
+    value: float  # in the unit
+
+
 class Trial(NamedTuple):
     """What was found out about a variant."""
 
@@ -40,7 +48,7 @@ class Trial(NamedTuple):
     problems: tuple[str, ...]  # why it cannot be handed out
     time_s: float | None = None  # of the reference; None: it does not come to its end
     clearance_m: float | None = None  # least certified distance; None: something touches
-    accuracy_m: float | None = None  # least room that a program has; None: no goal asks for one
+    rooms: tuple[Room, ...] = ()  # that a program has, in everything that asks for a place
     program: bytes = b""  # the reference with the variant's places
 
 
@@ -72,7 +80,7 @@ def tried(varied: VariedTask, combination: Combination) -> Trial:
         tuple(dict.fromkeys(problems)),
         None if took is None else float(took),
         None if nearest is None else nearest.distance_m,
-        min(_rooms(setting.scene, task), default=None),
+        tuple(_rooms(setting.scene, task)),
         program,
     )
 
@@ -136,15 +144,20 @@ def _by_reference(a: Assessment) -> Iterator[str]:
         yield NOT_CERTIFIED
 
 
-def _rooms(scene: Scene, task: Task) -> Iterator[float]:
-    """Yield by how far a program may be off, for everything that asks for a place [m]."""
-    for goal in task.goals:
-        yield goal.position_tolerance
-    for relation in task.relations:
+def _rooms(scene: Scene, task: Task) -> Iterator[Room]:
+    """Yield by how far a program may be off, for everything that asks for a place."""
+    for number, goal in enumerate(task.goals, 1):
+        yield Room(f"goal {number}", "mm", mm(goal.position_tolerance))
+        yield Room(f"goal {number}, turned", "deg", goal.orientation_tolerance / DEG)
+    for number, relation in enumerate(task.relations, 1):
         if relation.tolerance is not None:
-            yield relation.tolerance
-    for via in task.vias:
-        yield via.radius
+            yield Room(f"relation {number}", "mm", mm(relation.tolerance))
+        if relation.turn_tolerance:
+            yield Room(f"relation {number}, turned", "deg", relation.turn_tolerance / DEG)
+    for number, via in enumerate(task.vias, 1):
+        yield Room(f"via {number}", "mm", mm(via.radius))
+        if via.approach is not None:
+            yield Room(f"via {number}, turned", "deg", via.cone / DEG)
     opening = scene.robot.gripper.opening_max
     bodies = {name for goal in task.goals for name in goal.bodies}
     bodies |= {relation.body for relation in task.relations}
@@ -158,4 +171,5 @@ def _rooms(scene: Scene, task: Task) -> Iterator[float]:
             for turn in TURNS
         ]
         if min(widths) <= opening:
-            yield (opening - min(widths)) / 2  # on each side, with the hand wide open
+            side = (opening - min(widths)) / 2  # with the hand wide open
+            yield Room(f"the grip of {body.name}", "mm", mm(side))

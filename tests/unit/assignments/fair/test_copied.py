@@ -18,6 +18,16 @@ def test_pairs_are_different_and_from_the_whole_class(students: int) -> None:
 
 
 def test_nineteen_of_twenty_pairs_have_to_earn_at_most_half() -> None:
-    assert not Copied(200, 10).pays
-    assert Copied(200, 11).pays
-    assert Copied(2, 1).pays
+    assert not Copied(200, 10, 200).pays
+    assert Copied(200, 11, 200).pays
+    assert Copied(2, 1, 2).pays
+
+
+def test_what_a_sample_does_not_show_is_not_taken_for_shown() -> None:
+    """The limits are those of the tables of Clopper and Pearson."""
+    assert Copied(200, 10, 200).shown  # these are all
+    assert Copied(200, 4, 89_700).shown
+    assert not Copied(200, 5, 89_700).shown
+    assert not Copied(200, 5, 89_700).pays
+    assert Copied(59, 0, 89_700).shown
+    assert not Copied(58, 0, 89_700).shown

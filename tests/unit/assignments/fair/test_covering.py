@@ -7,6 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.unit.assignments.fair.support import variants
+from vrts.assignments.fair import covering as covering_of
 from vrts.assignments.fair.covering import covering
 from vrts.check.variants.model import Combination
 
@@ -48,6 +49,35 @@ def test_few_of_many_are_enough() -> None:
 def test_all_are_tried_where_there_are_few() -> None:
     assert len(covering(variants([4, 5, 5])).combinations) == 100
     assert len(covering(variants([4, 5, 5], [{0: frozenset({0})}])).combinations) == 75
+
+
+def test_what_was_not_found_in_time_is_not_called_excluded(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Five things choose among three values, of which two may be there once."""
+    rules = [
+        {a: frozenset({c}), b: frozenset({c})} for a, b in combinations(range(5), 2) for c in (0, 1)
+    ]
+    asked = variants([3, 3, 3, 3, 3, 9, 9], rules)
+    usual = covering(asked, most=99)
+    assert usual.given_up == 0
+    assert usual.never > 0
+    monkeypatch.setattr(covering_of, "MOST_TRIES", 9)
+    hurried = covering(asked, most=99)
+    assert hurried.given_up > 0
+    assert hurried.never <= usual.never
+    assert hurried.never + hurried.given_up >= usual.never
+    monkeypatch.setattr(covering_of, "MOST_OF_ALL", 30)
+    ended = covering(asked, most=99)
+    assert ended.given_up > hurried.given_up
+    whole = ended.values + ended.pairs + ended.never + ended.given_up
+    assert whole == usual.values + usual.pairs + usual.never
+
+
+def test_wide_ranges_of_many_things_take_no_time() -> None:
+    """Counted, not timed: choices are looked at in order, and not all for each variant."""
+    found = covering(variants([200] * 20))
+    assert (found.values, found.given_up) == (4000, 0)
 
 
 @pytest.mark.parametrize("counts", [(121, 121, 2), (40,) * 10])

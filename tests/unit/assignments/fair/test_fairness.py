@@ -8,6 +8,8 @@ import pytest
 
 from tests.places import ROOT
 from vrts.assignments.fair import fairness as fairness_of
+from vrts.assignments.fair.copied import Copied
+from vrts.assignments.fair.covering import Covering
 from vrts.assignments.fair.fairness import Fairness, fairness
 from vrts.assignments.fair.in_words import fair_findings, fair_lines
 from vrts.assignments.fair.trial import Trial
@@ -16,6 +18,7 @@ from vrts.base.workers import ALONE
 from vrts.check.variants.model import Combination, Variants
 
 LAB = ROOT / "examples" / "08-own-numbers" / "lab1"
+COVERING = Covering(((0,), (1,)), 2, 0, 1, thinned=False, given_up=12)
 NAMES: tuple[str, ...] = ("Ann", "Ben", "Cleo")
 COLOUR = """
 [[variants.vary]]
@@ -67,7 +70,7 @@ def test_uneven_variants_fall_out_by_the_bounds_of_the_task(tmp_path: Path) -> N
     variants, found = checked(tmp_path, tight, "even = { accuracy = 0.3 }\n")
     (out,) = found.out
     assert out.combination == (2,)
-    assert out.why == ("accuracy 3.0 mm, and the median is 4.5 mm",)
+    assert out.why == ("accuracy of goal 1: 3.0 mm, and the median is 4.5 mm",)
     lines = list(fair_lines(variants, found))
     assert any(line.startswith("  accuracy [mm]    4.5     3.0     5.0   3.") for line in lines)
     assert any(line.startswith("    least 3.0 mm: ") for line in lines)
@@ -76,11 +79,20 @@ def test_uneven_variants_fall_out_by_the_bounds_of_the_task(tmp_path: Path) -> N
 def test_copies_pay_where_only_a_colour_varies(tmp_path: Path) -> None:
     variants, found = checked(tmp_path, COLOUR, students=((0,), (1,), (1,)))
     assert found.fair
-    assert found.copied == (6, 6)
+    assert found.copied == (6, 6, 6)
     (told,) = fair_findings(variants, found)
     assert told.rule.code == "V819"
     assert not told.is_error
     assert "6 of 6 pairs" in told.headline
+    assert not any("were tried" in line for line in list(fair_lines(variants, found))[1:])
+    sample = found._replace(copied=Copied(200, 7, 1560), covering=COVERING, students=0)
+    not_tried, unsure = fair_findings(variants, sample)
+    assert (not_tried.rule.code, not_tried.is_error, sample.fair) == ("V828", True, False)
+    assert (unsure.rule.code, "1,560 pairs" in unsure.notes[0]) == ("V819", True)
+    lines = list(fair_lines(variants, sample))
+    assert "  200 of the 1,560 pairs of made-up students were tried" in lines
+    assert "  1 value or pair is excluded by `[[variants.without]]`" in lines
+    assert "  12 values and pairs could not be tried" in lines
 
 
 def test_the_same_variant_is_tried_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
