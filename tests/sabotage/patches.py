@@ -666,8 +666,8 @@ PATCHES: tuple[Patch, ...] = (
     Patch(
         "marks end at ten",
         "vrts/check/task/score.py",
-        "return min(total, max(NOTHING, tenths * TENTH))",
-        "return min(Fraction(10), max(NOTHING, tenths * TENTH))",
+        "return min(total, max(NOTHING, in_tenths(points)))",
+        "return min(Fraction(10), max(NOTHING, in_tenths(points)))",
         ("tests/unit/marking/test_any_total.py",),
     ),
     Patch(

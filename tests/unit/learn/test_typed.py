@@ -21,7 +21,7 @@ TABLES = [one for one in commands(LEARN / "what-to-type.md", ROOT) if one.in_tab
 HEADINGS = list(dict.fromkeys(one.heading for one in TABLES if one.folder != "none"))
 
 TERMINAL = ("debug", "monitor", "teach")  # want keys: typed by tests of terminals
-SERVES = {  # until Ctrl-C, and how it begins
+SERVES: dict[tuple[str, ...], str] = {  # until Ctrl-C, and how it begins
     ("serve", "cans-on-bases"): "serving cans-on-bases at ",
     ("grade", "desk"): "the desk of R. Huber for ",
 }

@@ -63,7 +63,7 @@ def key_made(path: Path) -> tuple[bytes, bool]:
         headline = f"the key `{path}` is gone, and variants were handed out by it"
         remedies = (
             "put the file back as it was: with another key every student has another variant",
-            f"to draw all anew, delete `{place_of_handed(path)}`",
+            f"to draw all again, delete `{place_of_handed(path)}`",
         )
         raise Refused((error(BAD_KEY, headline, help=remedies),))
     flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_NOFOLLOW", 0)

@@ -97,7 +97,7 @@ def changed(gone: Sequence[Member], key: Path) -> Refused:
     headline = f"`[variants]` was changed: what was handed out to {shown_names(gone)} is gone"
     remedies = (
         "put `[variants]` back as it was when variants were handed out",
-        f"to draw all anew, delete `{place_of_handed(key)}`, and hand out anew",
+        f"to draw all again, delete `{place_of_handed(key)}`, and hand out again",
     )
     return Refused((error(BAD_KEY, headline, help=remedies),))
 
@@ -118,7 +118,7 @@ def read_handed(place: Path, key: bytes, assignment: str) -> Students:
     if place.name == NAME and tasks and assignment not in tasks:  # the key of one task
         headline = f"`assignment` is `{assignment}`, and variants were handed out for"
         headline += f" `{next(iter(tasks))}`"
-        remedies = ("put it back: variants are drawn by it", f"to draw all anew, delete `{path}`")
+        remedies = ("put it back: variants are drawn by it", f"to draw all again, delete `{path}`")
         raise Refused((error(BAD_KEY, headline, help=remedies),))
     return tasks.get(assignment, {})
 
@@ -154,7 +154,7 @@ def _tasks(path: Path, key: bytes) -> dict[str, Students]:
         headline = f"`{path}` was changed, or belongs to another key"
         remedies = (
             "put it back, or the key: they tell who was handed out what",
-            "to draw all anew, delete it, and hand out anew",
+            "to draw all again, delete it, and hand out again",
         )
         raise Refused((error(BAD_KEY, headline, help=remedies),))
     return found.tasks
