@@ -58,6 +58,7 @@ class RowTold(Struct, frozen=True):
     report: bool
     order: int
     why_next: str
+    set_by: tuple[str, ...] = ()  # whose marks by hand take the place of the computed one: ids
 
 
 class ItemTold(Struct, frozen=True):

@@ -61,6 +61,19 @@ def test_history_tells_what_was_undone_and_decided() -> None:
     assert found.conflicts == ()
 
 
+def test_it_is_told_whose_mark_takes_the_place_and_for_whom_it_was_decided() -> None:
+    found = told(
+        "huber",
+        ("huber", ChangeMark(1, AT, ("a", "b"), "x", mark="4")),
+        ("mayr", ChangeMark(1, AT, ("a", "b"), "x", mark="5")),
+        ("mayr", Decide(2, AT, "huber:1", ("mayr:1",), "agreed", ("a",))),
+    )
+    assert [found.of(name).set_by for name in "ab"] == [("huber",), ()]
+    assert [one.student for one in found.conflicts] == ["b"]
+    assert "mayr:2" in {one.record for one in found.of("a").history}
+    assert "mayr:2" not in {one.record for one in found.of("b").history}
+
+
 def test_a_comment_on_another_program_is_shown_as_such() -> None:
     found = told(
         "mayr",

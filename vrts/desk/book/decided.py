@@ -46,6 +46,7 @@ class Mine(NamedTuple):
     due: str | None = None
     excused: bool = False
     conflict: bool = False
+    set_by: tuple[str, ...] = ()  # whose marks by hand take the place of it, ids
 
 
 class Decided(NamedTuple):
@@ -80,7 +81,8 @@ def told_of(ledger: Ledger, state: State, programs: Mapping[str, str], me: str) 
         students = tuple(dict.fromkeys(students_of(one.said)))
         if isinstance(one.said, Decide):
             named = (one.said.keep, *one.said.over)
-            students = tuple(dict.fromkeys(who for name in named for who in whose.get(name, ())))
+            every = (who for name in named for who in whose.get(name, ()))
+            students = one.said.students or tuple(dict.fromkeys(every))
         whose[one.name] = students
         told = _history(one, undone.get(one.name), len(students))
         for student in students:
@@ -115,6 +117,13 @@ def _mine(found: OfStudent, history: tuple[HistoryTold, ...], program: str, me: 
         due.due if isinstance(due, Extend) else None,
         any(isinstance(one.said, Excuse) for one in found.mark),
         bool(found.conflicts),
+        tuple(
+            dict.fromkeys(
+                one.grader
+                for one in found.mark
+                if isinstance(one.said, ChangeMark) and one.said.mark is not None
+            )
+        ),
     )
 
 

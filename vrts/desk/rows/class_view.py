@@ -60,6 +60,7 @@ def _row(book: Book, row: Row, place: Place) -> RowTold:
         has_report(row),
         place.order,
         place.why,
+        mine.set_by,
     )
 
 

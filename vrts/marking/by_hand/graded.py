@@ -195,6 +195,9 @@ def _made(
     flaw = _beyond(row, mine, every)
     if flaw:
         return plain._replace(conflict=flaw)
+    beside = _beside(overrides, first, items)
+    if beside:
+        return plain._replace(conflict=_against(overrides, beside))
     of_file = change_of(steps.value, overrides, row.result)
     if of_file is not None:
         steps.add(BY_HAND, Fraction(of_file.delta), of_file.reason)
@@ -230,6 +233,26 @@ def _made(
 def _differ(one: Fraction, other: Fraction, total: Fraction) -> bool:
     """Return whether two values are different marks: marks are tenths from 0 to the total."""
     return to_tenth(one, total) != to_tenth(other, total)
+
+
+def _beside(
+    overrides: Sequence[Override], gives: Iterable[Filed], items: Iterable[Given]
+) -> list[Filed]:
+    """Return gives which a mark in `overrides.toml` would swallow; those of days before it may be.
+
+    The file knows days only: what came on the same day may have come behind it.
+    """
+    marks = [one.date for one in overrides if one.mark is not None]
+    if not marks:
+        return []
+    counting = {item.item for item in items if Fraction(item.points)}
+    return [
+        one
+        for one in gives
+        if isinstance(one.said, Give)
+        and one.said.item in counting
+        and one.said.at[:10] >= marks[-1]
+    ]
 
 
 def _beyond(row: Row, mine: OfStudent, every: Prepared) -> str:

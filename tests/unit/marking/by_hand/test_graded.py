@@ -160,6 +160,13 @@ def test_a_mark_swallows_nothing_that_another_grader_has_given() -> None:
     assert reasons(decided(row(), **points)) == [Reason.CONFLICT]
 
 
+def test_a_mark_in_the_file_swallows_only_items_of_days_before() -> None:
+    head = '[[change]]\nstudent = "anna"\nreason = "r"\nwho = "w"\nmark = 7\n'
+    for day, why in (("26", [Reason.CONFLICT]), ("25", [Reason.CONFLICT]), ("27", [])):
+        found = decided(row(), f'{head}date = "2026-11-{day}"\n', huber=(ITEM, GIVEN))
+        assert (found.final, reasons(found)) == (7.5 if why else 7.0, why)
+
+
 def test_more_than_there_is_to_get_cannot_be_meant() -> None:
     for said in (change("anna", mark="75"), change("anna", delta="-11")):
         found = decided(row(), huber=(said,))

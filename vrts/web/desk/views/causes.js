@@ -4,7 +4,7 @@ import { button, byId, choice, make, onSubmit, prose, write } from "../../live/d
 import { amount, counted, exact, identifier, lost, mark, points, typed } from "../words.js";
 import { ask } from "../ask.js";
 import { missing } from "../missing.js";
-import { gives, guess } from "../work/giving.js";
+import { apart, gives, guess } from "../work/giving.js";
 import { preview } from "../work/rubric.js";
 
 /** @typedef {import("../desk.js").Desk} Desk */
@@ -138,14 +138,17 @@ export class Causes {
       return missing(this.text, "Write the comment.");
     }
     const given = item;
-    const getting = given ? rows.filter((row) => !row.items.includes(given.id)) : [];
+    const lacking = given ? rows.filter((row) => !row.items.includes(given.id)) : [];
+    const { getting, why } = apart(lacking, desk.me);
     if (given) records.push(...gives(given, getting.map((row) => row.id)));
     if (text) records.push(...rows.map((row) => ({ does: "comment", student: row.id, text })));
     const body = [
-      make("p", {}, given ? `“${given.title}” goes to ${counted(getting.length, "student")}${getting.length < rows.length ? `; ${rows.length - getting.length} have it already` : ""}. ` : "",
+      make("p", {}, given ? `“${given.title}” goes to ${counted(getting.length, "student")}${lacking.length < rows.length ? `; ${rows.length - lacking.length} have it already` : ""}. ` : "",
         text ? `${counted(rows.length, "student")} get the comment.` : ""),
-      ...(given ? [preview(getting, amount(given.points) ?? 0)] : []),
+      ...why.map((words) => make("p", { text: words })),
+      ...(given && getting.length ? [preview(getting, amount(given.points) ?? 0)] : []),
     ];
+    if (given && !getting.length && !text) return missing(this.what, why.join(" ") || "All of them have it already.");
     if (!records.length || !(await ask(given ? `Changes ${counted(getting.length, "student")}` : `Comments on ${counted(rows.length, "program")}`, body, "Give"))) return;
     const words = given ? `Gave “${given.title}” to ${counted(getting.length, "student")}` : `Commented on ${counted(rows.length, "program")}`;
     if (!(await desk.act(records, words, given ? getting.map((row) => guess(row, given, true)) : []))) return;
@@ -157,9 +160,14 @@ export class Causes {
     const value = typed(this.points.value);
     if (value === null) return missing(this.points, "Points are a number, such as −0.5.");
     if (!reason) return missing(this.text, "Give a reason: it is kept, and they read it.");
-    const all = counted(rows.length, "student");
-    if (!(await ask(`Changes ${all}`, [preview(rows, value)], "Change"))) return;
-    const records = rows.map((row) => ({ does: "change", students: [row.id], delta: exact(value), reason }));
+    const total = this.desk.data?.total ?? Infinity;
+    if (Math.abs(value) > total) return missing(this.points, `Marks are out of ${total}: ${points(value)} cannot be meant.`);
+    const { getting, why } = apart(rows, this.desk.me);
+    if (!getting.length) return missing(this.what, why.join(" "));
+    const all = counted(getting.length, "student");
+    const body = [make("p", { text: "Points are added to what was decided before." }), ...why.map((words) => make("p", { text: words })), preview(getting, value)];
+    if (!(await ask(`Changes ${all}`, body, "Change"))) return;
+    const records = getting.map((row) => ({ does: "change", students: [row.id], delta: exact(value), reason }));
     if (await this.desk.act(records, `${points(value)} for ${all}`)) this.text.value = this.points.value = "";
   }
 }

@@ -4,7 +4,7 @@ import { button, make, onSubmit } from "../../live/dom.js";
 import { ask } from "../ask.js";
 import { missing } from "../missing.js";
 import { after, amount, counted, exact, identifier, mark, points, typed } from "../words.js";
-import { gives, guess } from "./giving.js";
+import { changing, gives, guess } from "./giving.js";
 
 /** @typedef {import("../desk.js").Desk} Desk */
 /** @typedef {import("../types.js").Item} Item */
@@ -123,8 +123,9 @@ export class Rubric {
       if (withdrawn) said.withdrawn = true;
       const by = withdrawn ? -(amount(item.points) ?? 0) : value - (amount(item.points) ?? 0);
       const having = item.students.flatMap((id) => this.desk.rows.get(id) ?? []);
-      const body = [preview(having, by)];
-      if (!(await ask(`Changes ${counted(item.students.length, "student")}`, body, withdrawn ? "Withdraw" : "Change for all"))) return;
+      const { open, fixed } = changing(having);
+      const body = [...(open.length || !fixed.length ? [preview(open, by)] : []), ...(fixed.length ? [make("p", { text: `${counted(fixed.length, "student")} with a mark by hand, or excused: that stays, unless the item was given after it.` })] : [])];
+      if (!(await ask(`Changes ${counted(open.length, "student")}`, body, withdrawn ? "Withdraw" : "Change for all"))) return;
     }
     /** @type {import("../types.js").Item} */
     const made = { id: said.id, title, points: value, version: "", students: [], withdrawn: false };
