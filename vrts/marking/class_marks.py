@@ -130,6 +130,7 @@ def class_row(found: Found, result: Result, rules: LateRules | None) -> Row:
     """Return the row of a submission in the list of marks, without changes by hand."""
     student = found.student
     received = found.received
+    by = found.chosen_by or found.due  # what graders gave more is added to the row by hand
     return row_of(
         result,
         Student(student.name, student.email, student.login, dict(student.ids)),
@@ -139,7 +140,7 @@ def class_row(found: Found, result: Result, rules: LateRules | None) -> Row:
             None if received is None else received.isoformat(),
             found.attempt,
             found.doubts,
-            None if found.due is None else found.due.isoformat(),
+            None if by is None else by.isoformat(),
         ),
         _late(found, result, rules),
     )

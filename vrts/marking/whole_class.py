@@ -267,7 +267,7 @@ def take_in_class(
     if task.keep is Keep.BEST:
         found = with_best_attempts(tree, found, task.late, mark)
     pairs = tuple(zip(as_found, found, strict=True))
-    found = tuple(replace(now, due=was.due) for was, now in pairs)  # rows extend by hand
+    found = tuple(replace(now, due=was.due, chosen_by=now.due) for was, now in pairs)
     for_table = tuple(_for_table(was, now) for was, now in pairs)
     return TakenIn(found, intake.remarks, (*warnings, *about_exam), for_table, as_found)
 

@@ -12,6 +12,7 @@ from tests.support_rows import plain_result
 from tests.unit.marking.intake.support import PDF, PICK, put
 from vrts.check.task.late_rules import Keep, LateRules
 from vrts.check.task.task import Task
+from vrts.marking.by_hand.by_hand import load_by_hand, with_by_hand
 from vrts.marking.by_hand.decisions.files import add_decisions
 from vrts.marking.by_hand.decisions.records import Extend
 from vrts.marking.class_marks import class_row
@@ -23,6 +24,7 @@ from vrts.marking.layout import Layout
 from vrts.marking.marking import Done, Entry
 from vrts.marking.remote.at_home import AtHome
 from vrts.marking.result import Kind, Result
+from vrts.marking.row import Row as Marked
 from vrts.marking.submission.marker import Marker
 from vrts.marking.submission.one import Wanted
 from vrts.marking.submission.setting import Place
@@ -104,6 +106,26 @@ def test_more_time_counts_in_a_class_that_was_marked_before(
     assert later.rows[0].received is not None
     row = class_row(later.rows[0], structs.replace(plain_result("ann"), mark=WORTH[after]), TWO)
     assert row.final == WORTH[after]
+
+
+def test_more_time_that_was_known_does_not_ask_to_mark_again(tmp_path: Path, task: Task) -> None:
+    exam = replace(task, late=TWO, keep=Keep.BEST)
+    layout = Layout(tmp_path / "out")
+    said = Extend(0, "", ("ann",), MORE, "ill")
+    add_decisions(layout.decisions, "R. Huber", (said,), CLOSES)
+    by_hand = load_by_hand(layout, ("ann",), late=TWO)
+
+    def later(_: str) -> datetime | None:
+        return datetime.fromisoformat(MORE)
+
+    def found(given: Callable[[str], datetime | None]) -> Marked:
+        with open_place(hand_ins(tmp_path / "d", A, B)) as tree:
+            (row,) = take_in_class(exam, tree, None, marked(), later=given).rows
+        return with_by_hand(class_row(row, plain_result("ann"), TWO), by_hand)
+
+    known, unknown = found(later), found(lambda _: None)
+    assert (known.handed_in.file, known.unsafe) == (f"ann/{B}/p.v2", ())
+    assert [doubt.reason for doubt in unknown.unsafe] == [Reason.LATE]
 
 
 def test_a_file_that_the_teacher_chose_stays(tmp_path: Path, task: Task) -> None:

@@ -77,6 +77,7 @@ class Row:
     others: tuple[str, ...] = ()  # files that were not chosen
     group: str = ""  # the same for students who handed in together
     problem: Problem | None = None
+    chosen_by: datetime | None = None  # the own deadline with what graders gave, if any
     doubts: tuple[Doubt, ...] = ()  # why another attempt may be what counts
 
     @property
