@@ -78,6 +78,13 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/marking/similarity/test_likeness.py",),
     ),
     Patch(
+        "what crowds tells as much of a copy as what is rare",
+        "vrts/marking/similarity/weighing/nearness.py",
+        "    nats = _weights(np.maximum(rank, 1), count)",
+        "    nats = _weights(np.maximum(rank * 0, 1), count)",
+        ("tests/unit/marking/similarity/test_nearness.py",),
+    ),
+    Patch(
         "an exam counts what came after it had closed",
         "vrts/marking/intake/exam.py",
         "rules.opens <= a.received <= closes",

@@ -1,12 +1,14 @@
 """What two programs share, in words, what weighs most first."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from itertools import chain
 
+from vrts.marking.similarity.features.episodes import Detail, words_of_detail
 from vrts.marking.similarity.features.extract import CHANNELS
 from vrts.marking.similarity.features.feature import Channel, Feature
 from vrts.marking.similarity.features.words import words_of
 from vrts.marking.similarity.groups import Evidence
+from vrts.marking.similarity.weighing.nearness import Near
 from vrts.marking.similarity.weighing.shares import Shares
 
 MOST = 24  # told of two programs
@@ -32,6 +34,31 @@ def evidence_of(
         _of_channel(first[channel], second[channel], found[k], given[k])
         for k, channel in enumerate(CHANNELS)
     )
+    return most_telling(told)
+
+
+def nearness_told(
+    near: Iterable[Near],
+    first: Mapping[tuple[str, str], Sequence[Detail]],
+    second: Mapping[tuple[str, str], Sequence[Detail]],
+) -> list[Evidence]:
+    """Return what two runs have nearly alike, the rarest first."""
+    told: list[Evidence] = []
+    kinds: set[str] = set()
+    for one in sorted(near, key=lambda one: (-round(one.weight, 3), one.key, one.first)):
+        if one.weight < LEAST or len(told) == MOST_OF_CHANNEL:
+            break
+        if one.key[0] in kinds:
+            continue
+        kinds.add(one.key[0])
+        mine, theirs = first[one.key][one.first], second[one.key][one.second]
+        words, weight = words_of_detail(mine), round(one.weight, 2)
+        told.append(Evidence("motion", words, weight, one.others, mine.line, theirs.line))
+    return told
+
+
+def most_telling(told: Iterable[Evidence]) -> tuple[Evidence, ...]:
+    """Return what weighs most, first."""
     return tuple(sorted(told, key=lambda one: (-one.weight, one.what, one.words)))[:MOST]
 
 

@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vrts.base.workers import Workers
-from vrts.marking.similarity.evidence import evidence_of
+from vrts.marking.similarity.evidence import evidence_of, most_telling, nearness_told
+from vrts.marking.similarity.features.episodes import Detail, by_key
 from vrts.marking.similarity.features.extract import (
     CHANNELS,
     Digests,
@@ -22,6 +23,7 @@ from vrts.marking.similarity.symbols import Reader
 from vrts.marking.similarity.weighing.chance import Chances, chances, sameness
 from vrts.marking.similarity.weighing.grouping import Group as Together
 from vrts.marking.similarity.weighing.grouping import groups_of
+from vrts.marking.similarity.weighing.nearness import Nearness, nearness
 from vrts.marking.similarity.weighing.shares import Shares, shares
 
 MOST_EXPECTED = 20.0  # pairs by chance: links of which more are expected say nothing
@@ -31,6 +33,7 @@ CHUNKS = 16  # parts of a class that a worker reads at a time
 
 Names = tuple[str, ...]
 Corpora = Mapping[str, Mapping[str, Program]]
+Details = Mapping[tuple[str, str], Sequence[Detail]]
 
 
 class Likeness(NamedTuple):
@@ -78,14 +81,31 @@ def likeness(
         for k in range(len(CHANNELS))
     )
     written = [one for one, channel in zip(found, CHANNELS, strict=True) if channel in WRITTEN]
+    details = [by_key(program.sketch) for program in all_programs]
+    near = nearness([_vectors(one) for one in details], len(own))
     chance = chances(
         tuple(one.share for one in found),
         compared,
         _folders(len(own), corpora or {}),
         sameness([one.same for one in written], [one.common for one in written]),
+        near.total,
     )
     groups = groups_of(chance.surprise, chance.expected, compared, MOST_EXPECTED)
-    return _told(groups, names, all_programs, found, chance, known)
+    return _told(groups, names, all_programs, _Found(found, chance, known, near, details))
+
+
+class _Found(NamedTuple):
+    """What was found out, in numbers."""
+
+    shares: tuple[Shares, ...]
+    chance: Chances
+    given: tuple[frozenset[int], ...]
+    near: Nearness
+    details: Sequence[Details]
+
+
+def _vectors(details: Details) -> Mapping[tuple[str, str], Sequence[tuple[float, ...]]]:
+    return {key: [one.at for one in some] for key, some in details.items()}
 
 
 def _folders(start: int, corpora: Corpora) -> list[slice]:
@@ -134,9 +154,7 @@ def _told(
     groups: Sequence[Together],
     names: Names,
     programs: Sequence[Program],
-    found: tuple[Shares, ...],
-    chance: Chances,
-    given: tuple[frozenset[int], ...],
+    found: _Found,
 ) -> Likeness:
     reader = Reader()
     read: dict[int, dict[Channel, dict[int, Feature]]] = {}
@@ -151,9 +169,11 @@ def _told(
     for group in groups:
         links: list[Link] = []
         for i, j in group.links[:MOST_LINKS]:
-            expected = float(chance.expected[i, j])
+            expected = float(found.chance.expected[i, j])
             links.append(Link(names[i], names[j], _score(expected), strength_of(expected)))
-            evidence[names[i], names[j]] = evidence_of(features(i), features(j), found, given)
+            shared = evidence_of(features(i), features(j), found.shares, found.given)
+            nearly = nearness_told(found.near.of(i, j), found.details[i], found.details[j])
+            evidence[names[i], names[j]] = most_telling([*shared, *nearly])
         strongest = links[0]
         told.append(
             Group(

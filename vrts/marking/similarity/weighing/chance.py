@@ -26,6 +26,7 @@ LEAST_PAIRS = 500.0  # a small class is taken for a larger one: little is known 
 MOST_SURPRISE = 40.0  # nats of one channel
 # of the channels, in their order: comments and layout are alike for many innocent reasons
 FACTORS = (1.0, 1.0, 1.0, 0.7, 1.0)
+NEAR_FACTOR = 2.0  # of nearness, which few disguises reach
 NEIGHBOURS = slice(3, 8)  # of a program, by likeness: what is usual for it
 BEGIN, TAIL, END = 0.80, 0.95, 0.995  # quantiles between which innocent pairs thin out evenly
 USUAL_START = 6.0  # nats of surprise, from experience
@@ -46,6 +47,7 @@ def chances(
     compared: Bools,
     folders: Sequence[slice] = (),
     sure: Floats | None = None,
+    near: Floats | None = None,
 ) -> Chances:
     """Return how surprising the shares of a class are.
 
@@ -54,11 +56,14 @@ def chances(
         compared: Which pairs are compared at all, each once: the same shape.
         folders: Columns of each other folder.
         sure: Nats that are added to pairs that are nearly the same throughout.
+        near: How near each pair is in detail; only ranks of it count.
     """
     pairs = int(compared.sum())
     measure = _measure(found, compared, folders)
     channels = tuple(_surprise(share.astype(np.float64), measure) for share in found)
     together = np.tensordot(np.array(FACTORS[: len(channels)]), np.stack(channels), axes=1)
+    if near is not None:
+        together = together + NEAR_FACTOR * _surprise_of_rank(near, measure)
     apart = together - _usual_of_both(together, compared)
     if pairs == 0:
         return Chances(apart, channels, np.full(apart.shape, np.inf))
@@ -122,6 +127,16 @@ def _surprise(share: Floats, measure: Bools) -> Floats:
     above = len(sample) - np.searchsorted(sample, share, side="left")
     by_class = np.log((len(sample) + 1.0) / (above + 1.0))
     return trust * by_class + (1.0 - trust) * by_experience
+
+
+def _surprise_of_rank(near: Floats, measure: Bools) -> Floats:
+    """Return by how many nats pairs are nearer than is usual; a small class tells little."""
+    sample = np.sort(near[measure])
+    if not len(sample) or sample[-1] <= 0.0:
+        return np.zeros_like(near)
+    above = len(sample) - np.searchsorted(sample, near, side="left")
+    trust = len(sample) / (len(sample) + USUAL_PAIRS)
+    return trust * np.log((len(sample) + 1.0) / (above + 1.0))
 
 
 def _usual_of_both(together: Floats, compared: Bools) -> Floats:
