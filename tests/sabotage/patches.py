@@ -1628,8 +1628,8 @@ PATCHES: tuple[Patch, ...] = (
     Patch(
         "of graders who differ the first counts",
         "vrts/marking/by_hand/decisions/settled.py",
-        "        return Settled((), None, tuple(records))",
-        "        return Settled(tuple(records[:1]))",
+        "        return SettledSides((), None, tuple(sides))",
+        "        return SettledSides(tuple(sides[:1]))",
         ("tests/unit/marking/by_hand/test_decisions.py",),
     ),
     Patch(
