@@ -1,27 +1,31 @@
 """Writes what follows from decisions: lists, overview, feedback."""
 
 from pathlib import Path
+from typing import Final
 
-from vrts.desk.again.going_on import goes_on, writing_alone
-from vrts.desk.book.opened import open_marking
+from vrts.desk.again.going_on import goes_on
+from vrts.desk.book.book import Book
 from vrts.desk.book.shelf import sentence
-from vrts.marking.renewing.renewed import renewed
+from vrts.marking import about
+from vrts.marking.layout import Layout
+from vrts.marking.renewing.renewed import pending, renewed
+from vrts.marking.result import Damaged
 from vrts.pipeline.files import CannotRead
 from vrts.pipeline.refused import Refused
+
+NOT_YET: Final = "lists and feedback follow your decisions when the marking has ended"
 
 
 def follow(folder: Path) -> str:
     """Bring the files of a class up to date; return what went wrong, "" where nothing did.
 
-    While a marking goes on nothing is written: it writes the same files, with all decisions.
+    While a marking goes on, or has not ended, nothing is written: `NOT_YET`.
     """
+    layout = Layout(folder)
     try:
-        with writing_alone(folder):
-            if goes_on(folder):
-                return ""
-            opened = open_marking(folder)
-            if opened.about.finished is not None:
-                renewed(opened.layout)
+        if goes_on(folder) or not _has_ended(layout):
+            return NOT_YET
+        renewed(layout)
     except (CannotRead, Refused) as problem:
         return f"lists and feedback are not up to date: {sentence(problem)}"
     except OSError as problem:
@@ -29,12 +33,17 @@ def follow(folder: Path) -> str:
     return ""
 
 
-def is_behind(folder: Path) -> bool:
-    """Return whether decisions are newer than the lists: a desk may have died before it wrote."""
-    staff = folder / "staff"
+def _has_ended(layout: Layout) -> bool:
     try:
-        written = (staff / "results.json").stat().st_mtime_ns
-        decided = [path.stat().st_mtime_ns for path in (staff / "decisions").glob("*.jsonl")]
-    except OSError:
-        return False
-    return any(time > written for time in decided)
+        return about.from_bytes((layout.staff / about.NAME).read_bytes()).finished is not None
+    except Damaged:
+        return True  # what is wrong with it is told by who reads it next
+
+
+def is_behind(book: Book) -> bool:
+    """Return whether lists lack decisions: a desk, or a marking, may have ended too early."""
+    written = {row.id: row for row in book.opened.rows.rows}
+    return bool(pending(book.opened.layout)) or any(
+        (row.decided, row.final) != (written[row.id].decided, written[row.id].final)
+        for row in book.rows.rows
+    )

@@ -54,7 +54,7 @@ def serve_desk(
         real = int(listener.getsockname()[1])
         token, events = new_token(), Events()
         marking, upkeep = Marking(folder), Upkeep(lambda: follow(folder))
-        if is_behind(folder):  # a desk has died before it had written
+        if is_behind(shown.book):
             upkeep.wanted()
         app = application(desk, marking, upkeep, Way(token, real), events)
         address = f"http://{HOST}:{real}/"

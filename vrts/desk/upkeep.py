@@ -11,16 +11,20 @@ from typing import Final
 
 QUIET_S: Final = 1.0  # without a decision before files are written
 LONGEST_S: Final = 10.0  # that they may be behind while somebody decides without a pause
+AGAIN_S: Final = 2.0  # until what could not be written is tried again
 
 
 class Upkeep:
     """One thread that writes, whenever it is wanted."""
 
-    def __init__(self, write: Callable[[], str], quiet_s: float = QUIET_S) -> None:
-        """Take what writes, and returns what went wrong."""
+    def __init__(
+        self, write: Callable[[], str], quiet_s: float = QUIET_S, again_s: float = AGAIN_S
+    ) -> None:
+        """Take what writes, and returns what went wrong; then it is tried again after a while."""
         self._write = write
         self.problem = ""  # of the last time
         self._quiet_s = quiet_s
+        self._again_s = again_s
         self._wake = threading.Condition()
         self._wanted = 0  # how often, so far
         self._written = 0
@@ -60,6 +64,13 @@ class Upkeep:
                         break
                     waited += self._quiet_s
                 until = self._wanted
-            self.problem = self._write()
+            try:
+                problem = self._write()
+            except Exception as fault:  # told, and tried again: it goes on
+                problem = f"lists and feedback are not up to date: {fault or type(fault).__name__}"
+            self.problem = problem
             with self._wake:
-                self._written = until
+                if not problem or self._ends:
+                    self._written = until
+                else:
+                    self._wake.wait_for(lambda: self._ends, self._again_s)

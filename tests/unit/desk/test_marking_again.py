@@ -8,6 +8,7 @@ import pytest
 from tests.support_desk import write_desk_class
 from tests.support_desk_server import DeskServer
 from tests.support_live import Json
+from vrts.desk.book.book import found_out
 from vrts.marking.about import from_bytes
 from vrts.marking.layout import Layout
 from vrts.marking.row import Class, class_from_bytes
@@ -55,7 +56,7 @@ def test_marks_anew_keep_decisions_and_a_desk_that_dies_loses_nothing(tmp_path: 
     assert desk.add(words).status == 200
     told = ended(desk, "all")
     assert (told["problem"], told["done"]) == (None, 3)
-    marks = {row.id: row.result.mark for row in listed(layout).rows}
+    marks = {row.id: found_out(row).mark for row in listed(layout).rows}
     assert marks == {"s0000": 7.0, "s0001": 7.0, "s0002": 7.0}, "as the example's program earns"
     assert ended(desk, ["s0002"])["problem"] is None
     with desk.events() as events:
@@ -65,7 +66,7 @@ def test_marks_anew_keep_decisions_and_a_desk_that_dies_loses_nothing(tmp_path: 
     with (layout.staff / ".again.lock").open() as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)  # until the marking has ended by itself
     assert from_bytes((layout.staff / "marking.json").read_bytes()).finished is not None
-    assert {row.id: row.result.mark for row in listed(layout).rows} == marks
+    assert {row.id: found_out(row).mark for row in listed(layout).rows} == marks
     with DeskServer(layout.root) as again:
         assert again.whole["marking"]["problem"] is None
         assert "see me" in [one["text"] for one in again.row("s0001")["comments"]]

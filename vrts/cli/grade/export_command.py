@@ -146,6 +146,7 @@ def command(
     from vrts.marking.exports.autograders.classroom50 import from_environment
     from vrts.marking.exports.earlier_marks import with_times_judged
     from vrts.marking.exports.given import Options
+    from vrts.marking.renewing.renewed import brought_up_to_date
 
     require_decimals(decimal, names)
     written = read_written(folder)
@@ -166,6 +167,7 @@ def command(
     judged, said = with_times_judged(written.rows, written.about.place)
     rows = rows_by_hand(judged, by_hand)
     show_diagnostics((*said, *all_lapses(rows.rows, by_hand)), color)
+    brought_up_to_date(written)  # pages that go out say what is decided
     export(names, rows, written.layout, options, color, target)
 
 

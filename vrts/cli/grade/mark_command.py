@@ -62,7 +62,7 @@ if TYPE_CHECKING:
     from vrts.marking.exports.given import Page
     from vrts.marking.layout import Layout
     from vrts.marking.marking import Done
-    from vrts.marking.row import Row
+    from vrts.marking.row import Class, Row
     from vrts.marking.similarity.corpus import Corpora
     from vrts.marking.submission.marker import Marker
     from vrts.marking.whole_class import HowTo, Marked
@@ -235,19 +235,20 @@ def command(
     progress = Progress()
     then = "nothing is kept without `-o`" if layout is None else "the same call goes on"
     with progress.interruptible(then):
+        rows: Class | None = None
         marked = _mark(marker, found, layout, how, about, progress, quiet=form == "json")
         show_diagnostics((*marker.whole.stamps, *marked.warnings, *corpora.findings), color)
         for remark in marked.remarks:
             say(f"note: {remark}")
         if layout is not None:
-            write_lists(marker, marked, layout, about, color, corpora)
+            rows = write_lists(marker, marked, layout, about, color, corpora)
     if form == "json":
         from vrts.marking.row import class_to_bytes
 
-        out(class_to_bytes(marked.rows).decode().rstrip("\n"))
+        out(class_to_bytes(rows or marked.rows).decode().rstrip("\n"))
     good = not verify or _same_again(marker, marked, sample, how.jobs)
     if layout is not None and formats:
-        good = _export(formats, marked, layout, page, despite, decimal, color) and good
+        good = _export(formats, layout, page, despite, decimal, color) and good
     if any(done.result.is_fault for done in marked.done):
         sys.exit(FAULT)
     sys.exit(HOLDS if good else WRONG)
@@ -269,15 +270,15 @@ def _same_again(marker: "Marker", marked: "Marked", count: int, jobs: int) -> bo
 
 def _export(
     formats: "Sequence[str]",
-    marked: "Marked",
     layout: "Layout",
     page: "Page | None",
     despite: "Sequence[str]",
     decimal: str | None,
     color: str,
 ) -> bool:
-    """Write the marks in other formats; return whether all were written."""
+    """Write the marks in other formats, as decided now; return whether all were written."""
     from vrts.marking.exports.given import Options
+    from vrts.marking.renewing.renewed import renewed
     from vrts.marking.row import counted
     from vrts.pipeline.refused import Refused
 
@@ -289,7 +290,7 @@ def _export(
         despite=frozenset(despite),
     )
     try:
-        export(formats, counted(marked.rows), layout, options, color)
+        export(formats, counted(renewed(layout).rows), layout, options, color)
     except Refused as problem:
         show_diagnostics(problem.diagnostics, color)
         where = shlex.quote(str(layout.root))
@@ -371,15 +372,17 @@ def write_lists(
     about: "About",
     color: str,
     corpora: "Corpora | None" = None,
-) -> None:
-    """Write what there is about a class as a whole, and what students get; tell unsafe marks."""
+) -> "Class":
+    """Write what there is about a class as a whole, and what students get; tell unsafe marks.
+
+    Returns:
+        The rows, also with what was decided while they were marked.
+    """
     import msgspec
 
     from vrts.marking.about import Late
-    from vrts.marking.class_files import write_class, write_overview
     from vrts.marking.exports.unsafe_marks import after_marking
-    from vrts.marking.exports.write import write_feedback
-    from vrts.marking.renewing.renewed import decided_before, write_sections
+    from vrts.marking.renewing.renewed import write_marked
     from vrts.marking.similarity.corpus import NONE
     from vrts.marking.similarity.files import compare_class
 
@@ -390,12 +393,10 @@ def write_lists(
         intake_sha256=marked.intake_sha256,
         late=Late.of(marker.whole.task.late),
     )
-    write_sections(marked.rows.rows, layout, decided_before(layout))
-    write_class(marked.rows, about, layout)
-    write_feedback(marked.rows, layout)
     compare_class(marked, marker, layout, corpora or NONE)
-    write_overview(marked.rows, about, layout)  # again: it links to what was compared
+    rows = write_marked(marked.rows, about, layout)
     say(f"wrote {layout.overview}")
     without = ", without the hidden checks" if marker.hidden else ""
     say(f"wrote {layout.root / 'students'}, to be sent to each{without}")
-    show_diagnostics(after_marking(marked.rows, layout.root), color)
+    show_diagnostics(after_marking(rows.rows, layout.root), color)
+    return rows

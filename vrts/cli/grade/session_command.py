@@ -214,12 +214,9 @@ def _mark(
 def _write(rows: "Class", about: "About", layout: "Layout") -> None:
     import msgspec
 
-    from vrts.marking.class_files import write_class
-    from vrts.marking.exports.write import write_feedback
-    from vrts.marking.renewing.renewed import write_sections
+    from vrts.marking.renewing.renewed import write_marked
 
-    write_sections(rows.rows, layout)
-    write_class(rows, msgspec.structs.replace(about, finished=datetime.now(UTC)), layout)
-    write_feedback(rows, layout)
+    about = msgspec.structs.replace(about, finished=datetime.now(UTC))
+    write_marked(rows, about, layout)
     say(f"wrote {layout.overview}")
     say(f"wrote {layout.root / 'students'}, to be given to the rooms")

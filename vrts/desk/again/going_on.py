@@ -2,8 +2,6 @@
 
 import fcntl
 import os
-from collections.abc import Generator
-from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Final
 
@@ -11,7 +9,6 @@ from vrts.marking.layout import Layout
 from vrts.marking.supervise.staging import LOCK as STAGING_LOCK
 
 LOCK: Final = ".again.lock"  # in `staff`; nothing is in it
-WRITING: Final = ".writing.lock"  # the same
 
 
 def taken_for_marking(folder: Path) -> int | None:
@@ -28,23 +25,6 @@ def taken_for_marking(folder: Path) -> int | None:
         return descriptor
     os.close(descriptor)
     return None
-
-
-@contextmanager
-def writing_alone(folder: Path) -> Generator[None]:
-    """Write lists of a class while no other desk does, nor a marking of one; they take moments.
-
-    Raises:
-        OSError: The folder cannot be written.
-    """
-    staff = Layout(folder).staff
-    descriptor = os.open(staff / WRITING, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
-    try:
-        with suppress(OSError):  # a file system without locks: then the last one who writes wins
-            fcntl.flock(descriptor, fcntl.LOCK_EX)
-        yield
-    finally:
-        os.close(descriptor)
 
 
 def goes_on(folder: Path) -> bool:

@@ -9,6 +9,7 @@ from starlette.responses import Response
 from vrts.desk.again.marking import Marking
 from vrts.desk.desk import Desk, Shown
 from vrts.desk.figures.statistics import statistics
+from vrts.desk.following import NOT_YET
 from vrts.desk.front.answers import refusal, told, told_bytes
 from vrts.desk.programs import Programs
 from vrts.desk.rows.row_view import one_row
@@ -59,7 +60,8 @@ class ClassPages:
 
     def _told(self, shown: Shown) -> ClassTold:
         marking = self._marking.told(shown.book.opened)
-        problems = (self._upkeep.problem,) if self._upkeep.problem else ()
+        problem = self._upkeep.problem
+        problems = () if problem in {"", NOT_YET} else (problem,)  # `marking` tells the other
         return class_told(self._desk.me, shown, marking, problems)
 
 

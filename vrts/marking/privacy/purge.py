@@ -43,7 +43,7 @@ FILES = (
         for end in ("", ".part")
     ),
     f"{STAFF}/{about.NAME}.part",
-    *(f"{STAFF}/{name}" for name in (".again.lock", ".writing.lock")),  # of the desk
+    *(f"{STAFF}/{name}" for name in (".again.lock", ".writing.lock", ".renewing")),
 )
 MARKER = f"{STAFF}/{about.NAME}"  # deleted last: where it is, there may be more
 LARGEST_ABOUT = 4_000_000  # bytes

@@ -22,6 +22,7 @@ from vrts.marking.by_hand.decisions.records import (
     Item,
     Undo,
 )
+from vrts.marking.class_files import LOCK
 from vrts.marking.exports.feedback import NAME as FEEDBACK
 from vrts.marking.layout import Layout
 from vrts.marking.renewing.renewed import renewed, write_sections
@@ -46,7 +47,11 @@ def add(layout: Layout, who: str, *said: Decision) -> None:
 def everything(layout: Layout) -> dict[str, bytes]:
     """Return the bytes of all files that marking writes."""
     held = (path for path in sorted(layout.root.rglob("*")) if path.is_file())
-    return {str(path): path.read_bytes() for path in held if layout.decisions not in path.parents}
+    return {
+        str(path): path.read_bytes()
+        for path in held
+        if layout.decisions not in path.parents and path.name != LOCK
+    }
 
 
 def graded(layout: Layout) -> list[Row]:

@@ -50,7 +50,9 @@ def command(
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     from vrts.marking.appeals.pack_evidence import pack_evidence
     from vrts.marking.appeals.written import read_written
+    from vrts.marking.renewing.renewed import brought_up_to_date
 
+    brought_up_to_date(read_written(folder))  # pages in it say what is decided
     row, data = pack_evidence(read_written(folder), student, task=task, download=submissions)
     path = target or Path(f"evidence-{row.id}.zip")
     write_file(path, data)
