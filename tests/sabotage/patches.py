@@ -1633,6 +1633,20 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/marking/by_hand/test_decisions.py",),
     ),
     Patch(
+        "a mark swallows what another grader has given",
+        "vrts/marking/by_hand/decisions/marks.py",
+        "        if side:\n",
+        "        if side and mine.base is not None:\n",
+        ("tests/unit/marking/by_hand/test_graded.py",),
+    ),
+    Patch(
+        "of a grader's points only the last count",
+        "vrts/marking/by_hand/decisions/marks.py",
+        "        tuple(one for one in behind if isinstance(one.said, ChangeMark)),",
+        "        tuple(one for one in behind[-1:] if isinstance(one.said, ChangeMark)),",
+        ("tests/unit/marking/by_hand/test_graded.py",),
+    ),
+    Patch(
         "students read private comments",
         "vrts/marking/by_hand/graded.py",
         "if isinstance(said, Comment) and not said.private:",

@@ -106,6 +106,7 @@ def test_decisions_are_written_all_or_none_about_what_was_shown(layout: Layout) 
             {**CHANGE, "mark": "7"},
             {**CHANGE, "sneaked": 1},
             {**CHANGE, "delta": "1e9"},
+            {**CHANGE, "delta": "-75"},
             {"does": "give", "item": "nothing", "students": ["s0001"]},
         ):
             refused = desk.add(words, wrong)
