@@ -372,5 +372,5 @@ def write_lists(
     say(f"wrote {layout.overview}")
     without = ", without the hidden checks" if marker.hidden else ""
     say(f"wrote {layout.root / 'students'}, to be sent to each{without}")
-    show_diagnostics(after_marking(rows.rows, layout.root), color)
+    show_diagnostics(after_marking(rows, layout.root), color)
     return rows
