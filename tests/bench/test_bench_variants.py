@@ -7,11 +7,11 @@ import time
 
 from tests.places import ROOT
 from vrts.assignments.variants.of_task import load_varied
-from vrts.check.variants.drawn import drawn
 from vrts.marking.intake.row import Platform, Student
 from vrts.marking.intake.tables.roster import Member, Roster
 from vrts.marking.variants.class_list import class_list
 from vrts.marking.variants.hand_out import hand_out
+from vrts.marking.variants.handed import variants_of
 
 LAB = ROOT / "examples" / "08-own-numbers" / "lab1"
 COUNT = 300
@@ -24,11 +24,10 @@ def test_zips_of_a_class_take_seconds() -> None:
     members = {str(k): Member(Student(f"N {k}", f"n{k}@b.c"), None) for k in range(COUNT)}
     listed = class_list(Roster(Platform.MOODLE, members, ()), "grades.csv")
     begin = time.process_time()
-    for member in listed.members:
-        drawn(varied.variants, b"k" * 32, member.drawn_by)
+    given = variants_of(varied, listed, b"k" * 32, {})
     draw_ms = 1000 * (time.process_time() - begin) / COUNT
     begin = time.process_time()
-    handed = hand_out(varied, listed, b"k" * 32)
+    handed = hand_out(varied, listed, given.variants)
     spent = time.process_time() - begin
     size = sum(map(len, handed.files.values())) / 1e6
     print(f"\n{varied.variants.total:,} variants; a draw takes {draw_ms:.3f} ms")

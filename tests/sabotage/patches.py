@@ -3225,6 +3225,13 @@ PATCHES: tuple[Patch, ...] = (
         thorough=True,
     ),
     Patch(
+        "a corrected address gives a student another variant than was handed out",
+        "vrts/marking/variants/handed.py",
+        "        if was is not None and combination is not None:\n",
+        "        if was is not None and combination is not None and not member.drawn_by:\n",
+        ("tests/unit/marking/variants/test_handed.py",),
+    ),
+    Patch(
         "answers of workers are in another order than the things",
         "vrts/base/workers.py",
         "yield from self._in_order(ask, things, crew)",

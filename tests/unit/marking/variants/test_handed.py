@@ -6,16 +6,22 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+import msgspec
 import pytest
 from click.testing import CliRunner
 
 from tests.places import ROOT
+from tests.support_rows import plain_row
 from vrts.assignments.variants.key import NAME, key_of, place_of_handed
 from vrts.assignments.variants.of_task import VariedTask, load_varied
 from vrts.check.variants.model import Without
 from vrts.cli.main import vrts
 from vrts.marking.intake.row import Platform, Row, Student
+from vrts.marking.layout import Layout
 from vrts.marking.marking import Done, Entry
+from vrts.marking.result import OfVariant
+from vrts.marking.row import Row as Marked
+from vrts.marking.row import Student as Whose
 from vrts.marking.submission.one import Wanted
 from vrts.marking.submission.setting import Place
 from vrts.marking.variants.class_list import ClassList, Member
@@ -163,6 +169,19 @@ def test_marking_some_again_leaves_what_the_others_were_marked_by(
     assert {path.stem for path in tmp_path.glob("*.zip")} == set(tags.values())
 
 
+def test_who_has_another_variant_now_is_not_marked_again_alone(lab: Path, tmp_path: Path) -> None:
+    marker, layout = marker_of(lab, "1", "2"), Layout(tmp_path)
+    rows = [row("1"), row("2")]
+    marker.assign(rows, layout.variants)
+
+    def marked(tag: str) -> Marked:
+        found = plain_row("s2", variant=OfVariant(tag))
+        return msgspec.structs.replace(found, student=Whose(ids={"moodle": "2"}))
+
+    assert marker.is_as_before(marked(marker.tags["s2"]), layout)
+    assert not marker.is_as_before(marked(marker.tags["s1"]), layout)
+
+
 def test_nobodys_variant_is_that_of_a_trial_of_somebody_elses(lab: Path, tmp_path: Path) -> None:
     marker = marker_of(lab, "1", "2")
     mine = replace(row("1"), identifier="other-0")
@@ -205,6 +224,7 @@ def call(*words: object) -> Any:
     return CliRunner().invoke(vrts, [str(word) for word in words])
 
 
+@pytest.mark.thorough
 def test_variants_that_fall_out_and_zips_of_others_are_not_handed_out(tmp_path: Path) -> None:
     lab = Path(shutil.copytree(LAB, tmp_path / "lab1"))
     roster = tmp_path / "grades.csv"
