@@ -51,7 +51,7 @@ def command(
     jobs: int | None,
     color: str,
 ) -> None:
-    """Write a zip of TASK for each student of a class, each with another variant.
+    """Write a zip of TASK for each student of a class, with the variant of that student.
 
     TASK is a folder or a zip with `[variants]` in its task.toml. OUTPUT/students has the zips: the
     files of `vrts task pack` for students, with the numbers of that variant. OUTPUT/variants.csv
