@@ -1,9 +1,10 @@
 """The desk as a process: the socket it listens at, the words it begins with, its end."""
 
 import errno
+import os
 import socket
-from collections.abc import Callable
-from contextlib import suppress
+from collections.abc import Callable, Generator
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from types import FrameType
 from typing import Final
@@ -14,6 +15,7 @@ from vrts.desk.again.marking import Marking
 from vrts.desk.desk import Desk
 from vrts.desk.following import follow, is_behind
 from vrts.desk.front.app import Way, application
+from vrts.desk.front.door import ON
 from vrts.desk.front.events import Events
 from vrts.desk.told import GraderTold
 from vrts.desk.upkeep import Upkeep
@@ -41,7 +43,8 @@ def serve_desk(
         who: Who marks, as people write it.
         port: 0: any that is free.
         say: Writes a line of words.
-        open_link: Takes the address, with the token that lets a browser in.
+        open_link: Takes the address of a file that leads a browser to the desk, and in. The token
+            is in the file, which only its owner may read: command lines of browsers are public.
 
     Raises:
         CannotRead: There is no such folder, a file of it cannot be read, or the port is taken.
@@ -62,7 +65,6 @@ def serve_desk(
         say("only this machine can reach it; Ctrl-C ends it")
         for problem in shown.book.problems:
             say(f"note: {problem}")
-        open_link(f"{address}?token={token}")
         config = uvicorn.Config(
             InPieces(app),
             http=PatientProtocol,
@@ -75,8 +77,35 @@ def serve_desk(
             proxy_headers=False,
             timeout_graceful_shutdown=5,
         )
-        with suppress(KeyboardInterrupt):  # how it ends
+        opening = way_in(Layout(folder), f"{address}?token={token}", real)
+        # how it ends
+        with opening as file, suppress(KeyboardInterrupt):
+            open_link(file.absolute().as_uri())
             _Server(config, events).run(sockets=[listener])
+
+
+@contextmanager
+def way_in(layout: Layout, address: str, port: int) -> Generator[Path]:
+    """Keep a page that goes on to an address, as long as the desk runs.
+
+    Raises:
+        CannotRead: The folder cannot be written.
+    """
+    place = layout.decisions / f".desk-{port}.html"
+    page = ON.format("The desk", f'<meta http-equiv="refresh" content="0;url={address}">', "")
+    try:
+        place.parent.mkdir(exist_ok=True)
+        place.unlink(missing_ok=True)
+        descriptor = os.open(place, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
+        with os.fdopen(descriptor, "w", encoding="utf-8") as file:
+            file.write(page)
+    except OSError as problem:
+        reason = (problem.strerror or str(problem)).lower()
+        raise CannotRead(f"cannot write into `{place.parent}`: {reason}") from problem
+    try:
+        yield place
+    finally:
+        place.unlink(missing_ok=True)
 
 
 class _Server(uvicorn.Server):

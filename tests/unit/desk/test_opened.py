@@ -1,6 +1,7 @@
 """A folder that is of no use to the desk says why."""
 
 import json
+from datetime import UTC, datetime
 from pathlib import Path
 
 import pytest
@@ -9,11 +10,14 @@ from msgspec.structs import replace
 from tests.support_desk import about_of, write_desk_class
 from vrts.desk.adding.asked import Body
 from vrts.desk.again.asked import again
+from vrts.desk.book import shelf as shelf_module
 from vrts.desk.book.opened import open_marking
 from vrts.desk.book.shelf import Shelf
 from vrts.desk.desk import Desk
 from vrts.desk.told import GraderTold
 from vrts.marking.about import to_bytes
+from vrts.marking.by_hand.decisions.files import add_decisions
+from vrts.marking.by_hand.decisions.records import Comment
 from vrts.marking.layout import Layout
 from vrts.pipeline.files import CannotRead
 from vrts.pipeline.refused import Refused
@@ -72,6 +76,27 @@ def test_what_becomes_unreadable_is_told_beside_what_was_there(layout: Layout) -
     after = shelf.now()
     assert [row.id for row in after.rows.rows] == [row.id for row in before.rows.rows]
     assert "holds no complete marking" in after.problems[0]
+    assert shelf.now() is after
+    said = [Comment(0, "", "s0001", "see me")]
+    add_decisions(layout.decisions, "R. Huber", said, datetime.now(UTC))
+    assert "holds no complete marking" in shelf.now().problems[0], "the rows are still old"
+
+
+def test_what_could_not_be_read_for_a_moment_is_tried_again(
+    layout: Layout, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    shelf = Shelf(layout.root, "huber")
+    said = [Comment(0, "", "s0001", "see me")]
+    add_decisions(layout.decisions, "R. Huber", said, datetime.now(UTC))
+
+    def busy(*_: object) -> None:
+        raise OSError(24, "Too many open files")
+
+    with monkeypatch.context() as patch:
+        patch.setattr(shelf_module, "decide", busy)
+        assert "Too many open files" in shelf.now().problems[0]
+    assert not shelf.now().problems
+    assert "see me" in [one.text for one in shelf.now().decided.of("s0001").comments]
 
 
 def test_a_task_or_submissions_that_have_moved_are_told(layout: Layout, tmp_path: Path) -> None:

@@ -1,5 +1,6 @@
 """`vrts grade desk`."""
 
+import sys
 import webbrowser
 from pathlib import Path
 
@@ -43,6 +44,9 @@ def command(folder: Path, who: str, port: int, no_browser: bool) -> None:
     Only this machine can reach the page, and only with the address that is printed. Ctrl-C ends it.
     What you have decided is on the disk before the page says so.
     """
+    if sys.platform == "win32":
+        hint = "start it in the Windows Subsystem for Linux, at the same folder"
+        fail("the desk does not run on Windows", (hint,), WRONG)
     try:
         from vrts.desk.serving import serve_desk
     except ModuleNotFoundError as missing:

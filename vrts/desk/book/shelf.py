@@ -38,10 +38,10 @@ class Shelf:
         self._me = me
         self._staff = folder / "staff"
         self._lock = threading.Lock()
-        self._signs: tuple[tuple[Sign, ...], ...] = ()
         self._likeness: dict[str, Likeness] = {}
         self._said = ""
-        self._signs = self._look()
+        self._read = list(self._look())  # of each part, the files that were read last
+        self._looked: tuple[tuple[Sign, ...], ...] = tuple(self._read)  # all of it was read
         self._opened = open_marking(folder)
         self._attempts = read_attempts(self._opened.layout)
         self._read_likeness()
@@ -54,23 +54,32 @@ class Shelf:
         """
         with self._lock:
             signs = self._look()
-            if signs == self._signs:
+            if signs == self._looked:
                 return self._book
-            before, self._signs = self._signs, signs
+            self._looked = ()  # what cannot be read is tried again, until all of it was read
             try:
-                if signs[0] != before[0]:
+                if signs[0] != self._read[0]:
                     self._opened = open_marking(self.folder)
                     self._attempts = read_attempts(self._opened.layout)
-                if signs[1] != before[1]:
+                    self._read[0] = signs[0]
+                if signs[1] != self._read[1]:
                     self._read_likeness()
+                    self._read[1] = signs[1]
                 self._book = self._decided()
+                self._looked = signs
             except (CannotRead, Refused) as problem:
-                told = (sentence(problem),)
-                last = self._book
-                self._book = Book(
-                    last.opened, last.rows, last.decided, last.likeness, last.attempts, told
-                )
+                self._keep_with(sentence(problem))
+            except OSError as problem:
+                self._keep_with(f"the folder cannot be read: {problem.strerror or problem}")
             return self._book
+
+    def _keep_with(self, problem: str) -> None:
+        """Keep what was read last, and tell why it is not what the files say now."""
+        last, told = self._book, (f"what is shown may be old: {problem}",)
+        if last.problems != told:
+            self._book = Book(
+                last.opened, last.rows, last.decided, last.likeness, last.attempts, told
+            )
 
     def seen_by(self, me: str) -> None:
         """Look with the eyes of a grader of another id from now on."""

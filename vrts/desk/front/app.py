@@ -99,8 +99,8 @@ def application(desk: Desk, marking: Marking, upkeep: Upkeep, door: Way, events:
         ],
         exception_handlers={404: _no_such, 405: _no_such},
     )
-    limited = Limited(Door(app, door.token, door.port))
-    return Policy(Guard(limited, Names(()), secure=False))
+    entered = Door(Limited(app), door.token, door.port)  # who is not let in uses up nothing
+    return Policy(Guard(entered, Names(()), secure=False))
 
 
 class Limited:
@@ -124,7 +124,10 @@ async def _watch(desk: Desk, events: Events) -> None:
     last = desk.now().revision
     while True:
         await asyncio.sleep(LOOK_S)
-        revision = (await asyncio.to_thread(desk.now)).revision
+        try:
+            revision = (await asyncio.to_thread(desk.now)).revision
+        except OSError:  # such as too many open files: whoever asks is told; it goes on
+            continue
         if revision != last:
             last = revision
             events.send("revision", {"revision": revision})

@@ -44,13 +44,13 @@ class Events:
         if self._ended or len(self._listeners) >= MOST:
             return refusal(429, "too many pages of the desk are open")
         queue: asyncio.Queue[bytes | None] = asyncio.Queue(WAITING)
-        self._listeners.add(queue)
         headers = {"cache-control": "no-store", "x-accel-buffering": "no"}
         return StreamingResponse(
             self._events(queue), headers=headers, media_type="text/event-stream"
         )
 
     async def _events(self, queue: "asyncio.Queue[bytes | None]") -> AsyncGenerator[bytes, None]:
+        self._listeners.add(queue)  # here: who left before this began is never counted
         try:
             yield b"retry: 1000\n: hello\n\n"
             while True:

@@ -1,8 +1,8 @@
 """What to look at next, and why: the order of the work list.
 
 First what makes marks unsafe, conflicts before all else; then what is assigned to whoever asks and
-not finished; then causes, those that most rows share together; then likeness; then the rest. What
-whoever asks has finished comes last.
+not finished; then groups that are strongly alike; then causes, those that most rows share together;
+then other likeness; then the rest. What whoever asks has finished comes last.
 """
 
 from collections.abc import Mapping, Sequence
@@ -14,7 +14,7 @@ from vrts.desk.told import CauseTold
 from vrts.marking.row import Row
 from vrts.marking.unsafe import REASONS
 
-CONFLICT, UNSAFE, MINE, CAUSE, ALIKE, REST, DONE = range(7)
+CONFLICT, UNSAFE, MINE, STRONG, CAUSE, ALIKE, REST, DONE = range(8)
 LONGEST = 60  # characters of a cause
 _URGENT = {reason: place for place, reason in enumerate(REASONS)}
 
@@ -60,12 +60,15 @@ def _place(
         return MINE, 0, "", "assigned to you"
     if mine.finished or (mine.assigned and me not in mine.assigned):
         return REST, 1, "", "another grader's"
+    alike = book.likeness.get(row.id)
+    if alike is not None and alike.strength == "strong":
+        others = _others(len(alike.with_))
+        return STRONG, -alike.score, alike.group, f"strongly like {others}"
     keys = keys_of(found_out(row))
     if keys:
         cause = shared[keys[0]]
         also = "" if cause.count == 1 else f", as {_others(cause.count - 1)}"
         return CAUSE, rank[cause.key], "", f"{_short(cause.sentence)}{also}"
-    alike = book.likeness.get(row.id)
     if alike is not None:
         return ALIKE, -alike.score, alike.group, f"like {_others(len(alike.with_))}"
     return REST, 0, "", "no points lost"
