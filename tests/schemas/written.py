@@ -47,8 +47,12 @@ def probes(kind: str) -> Iterator[tuple[Path, Any]]:
 
 
 def folder_of(path: Path) -> Path:
-    """Return where what a file names is: of a probe, the arm that the library describes."""
-    return library("one-can-urdf").parent if path.parent == PROBES else path.parent
+    """Return where what a file names is: of a probe, the arm that the library describes.
+
+    Only the pieces of a mesh lie beside their probe.
+    """
+    elsewhere = path.parent == PROBES and path.stem != "scene-mesh"
+    return library("one-can-urdf").parent if elsewhere else path.parent
 
 
 @cache

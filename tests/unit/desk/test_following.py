@@ -92,6 +92,9 @@ def test_who_is_new_is_listed_and_a_class_is_never_marked_by_two_tasks(
     assert {row.id: row.final for row in rows.rows}["s0001"] == 1.0
     before = layout.results.read_bytes()
 
+    def nobody(*_: object) -> None:
+        """Is told."""
+
     def half(*_: object, begun: object, told: object, **__: object) -> None:
         assert callable(begun)
         assert callable(told)
@@ -100,10 +103,10 @@ def test_who_is_new_is_listed_and_a_class_is_never_marked_by_two_tasks(
 
     monkeypatch.setattr(marked, "mark_whole_class", half)
     with pytest.raises(Refused) as refused:  # the rows of this class are of a task that is no more
-        mark_again(layout.root, None, lambda *_: None)
+        mark_again(layout.root, None, nobody)
     assert refused.value.diagnostics[0].headline == marked.HALF
     assert layout.results.read_bytes() == before
     assert follow(layout.root) == NOT_YET, "the marking has not ended"
     with pytest.raises(Refused) as refused:
-        mark_again(layout.root, ["s0000"], lambda *_: None)
+        mark_again(layout.root, ["s0000"], nobody)
     assert "begun and not ended" in refused.value.diagnostics[0].headline

@@ -7,6 +7,7 @@ class QhullError(RuntimeError): ...
 
 class ConvexHull:
     equations: NDArray[float64]
+    neighbors: NDArray[int32]
     simplices: NDArray[int32]
     volume: float
     def __init__(self, points: NDArray[float64]) -> None: ...
