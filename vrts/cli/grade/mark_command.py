@@ -356,7 +356,7 @@ def write_lists(
 
     from vrts.marking.about import Late
     from vrts.marking.exports.unsafe_marks import after_marking
-    from vrts.marking.renewing.renewed import write_marked
+    from vrts.marking.renewing.renewed import link_compared, write_marked
     from vrts.marking.similarity.corpus import NONE
     from vrts.marking.similarity.files import compare_class
 
@@ -367,8 +367,9 @@ def write_lists(
         intake_sha256=marked.intake_sha256,
         late=Late.of(marker.whole.task.late),
     )
+    rows = write_marked(marked.rows, about, layout)  # first: nothing keeps marks waiting
     compare_class(marked, marker, layout, corpora or NONE)
-    rows = write_marked(marked.rows, about, layout)
+    link_compared(rows, about, layout)
     say(f"wrote {layout.overview}")
     without = ", without the hidden checks" if marker.hidden else ""
     say(f"wrote {layout.root / 'students'}, to be sent to each{without}")

@@ -21,7 +21,7 @@ from vrts.marking.class_files import begin_class
 from vrts.marking.layout import Layout
 from vrts.marking.marking import Done
 from vrts.marking.privacy.pseudonyms import read_names
-from vrts.marking.renewing.renewed import write_marked
+from vrts.marking.renewing.renewed import link_compared, write_marked
 from vrts.marking.result import SCORING
 from vrts.marking.row import Class, Row, class_from_bytes
 from vrts.marking.similarity.corpus import read_corpora
@@ -71,6 +71,7 @@ def mark_again(
         names = read_names(layout)
         only = frozenset(names[name]["id"] if name in names else name for name in students)
         asked = asked._replace(how=asked.how._replace(only=only))
+    corpora = read_corpora(asked.corpora, layout.root) if students is None else None
     done: dict[str, Row] = {}
     every: list[str] = []
 
@@ -94,13 +95,15 @@ def mark_again(
     late = None if task is None else Late.of(task.late)
     after = replace(about, finished=_now(), late=late, vrts=__version__)
     if marked is not None and students is None:
-        compare_class(marked, marker, layout, read_corpora(asked.corpora, layout.root))
         rows, after = marked.rows, replace(after, intake_sha256=marked.intake_sha256)
     else:
         rows = together(_listed(layout), done)
         if unlike - done.keys():
             raise _cannot(HALF, "mark all again, to the end")
-    write_marked(rows, after, layout, done)
+    written = write_marked(rows, after, layout, done)
+    if marked is not None and corpora is not None:
+        compare_class(marked, marker, layout, corpora)
+        link_compared(written, after, layout)
     return len(done)
 
 

@@ -9,7 +9,7 @@ from vrts.base.diagnostic import Diagnostic
 from vrts.marking.about import About
 from vrts.marking.appeals.written import Written, read_class, read_written
 from vrts.marking.by_hand.by_hand import ByHand, all_lapses, load_by_hand, rows_by_hand
-from vrts.marking.class_files import lists_alone, write_class
+from vrts.marking.class_files import lists_alone, write_class, write_overview
 from vrts.marking.exports.earlier_marks import with_times_judged
 from vrts.marking.exports.feedback import for_student
 from vrts.marking.exports.numbers import decimal
@@ -114,6 +114,12 @@ def write_marked(
         write_class(rows, about, layout)
         _end(layout)
     return rows
+
+
+def link_compared(rows: Class, about: About, layout: Layout) -> None:
+    """Write the overview again, after programs were compared: it links to what was found."""
+    with lists_alone(layout):
+        write_overview(rows, about, layout)
 
 
 def pending(layout: Layout) -> frozenset[str]:

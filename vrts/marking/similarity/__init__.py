@@ -1,5 +1,5 @@
 """Which programs of a class are alike, and where: for a person to look at, never a verdict.
 
-In: texts of programs. Out: pairs with the lines they share, a page.
+In: programs, what their runs did, earlier years. Out: groups and pairs with evidence, pages.
 Changes no mark.
 """

@@ -22,6 +22,7 @@ def test_what_is_written_is_what_is_read() -> None:
         ("most", True),
         ("at_most_mm", "wide"),
         ("found_mm", float("nan")),
+        ("found_mm", 10**400),
         ("centre_of_mass_mm", [1, 2]),
         ("centre_of_mass_mm", [1, 2, 1e9]),
         ("pieces_mm", []),
