@@ -1,7 +1,7 @@
 """Writes what was found out about similar programs, where only the staff sees it."""
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path, PurePosixPath
 from urllib.parse import quote
 
@@ -10,7 +10,9 @@ import msgspec
 from vrts.assignments.pack import read_zip
 from vrts.assignments.packed import is_packed
 from vrts.marking.layout import COMPARED, Layout, write_atomically
+from vrts.marking.marking import Done
 from vrts.marking.overview.links import staff_report
+from vrts.marking.result import Kind
 from vrts.marking.similarity.corpus import NONE, Corpora
 from vrts.marking.similarity.groups import Group, Link
 from vrts.marking.similarity.kept import Kept, keep, place_of, with_sketches
@@ -28,6 +30,7 @@ from vrts.scene.block import location_block
 PAGE, DATA = "similarity.html", "similarity.json"
 PAIR = "pair-"  # begins the names of pages of two programs
 MOST_PAGES = 300  # of two programs; each group has one at least
+ENDED = frozenset({Kind.RESOURCE, Kind.FAULT})  # their programs may end a comparison too
 FEWEST = 2  # programs that can be compared
 LARGEST = 4_000_000  # bytes of a file that students were given
 GIVEN = ("start.v2", "handout/*.v2")  # in the folder of a task
@@ -54,14 +57,10 @@ def _programs(task: Path) -> list[bytes]:
 def compare_class(marked: Marked, marker: Marker, layout: Layout, corpora: Corpora = NONE) -> None:
     """Compare the programs of a class, each with each and with those of a corpus; write it.
 
-    A class with less than two programs has nothing to compare, unless there is a corpus; what was
-    written before goes.
+    A submission whose process was ended is left out. A class with less than two programs has
+    nothing to compare, unless there is a corpus; what was written before goes.
     """
-    programs = {
-        done.entry.identifier: done.entry.data
-        for done in marked.done
-        if done.entry.data is not None
-    }
+    programs = programs_of(marked.done)
     remove_written(layout)
     if not programs or len(programs) + len(corpora.programs) < FEWEST:
         return
@@ -79,6 +78,15 @@ def compare_class(marked: Marked, marker: Marker, layout: Layout, corpora: Corpo
         corpora=corpora,
         pages=marker.wanted.pages,
     )
+
+
+def programs_of(done: Iterable[Done]) -> dict[str, bytes]:
+    """Return the programs of submissions by identifier, without those whose process was ended."""
+    return {
+        one.entry.identifier: one.entry.data
+        for one in done
+        if one.entry.data is not None and one.result.kind not in ENDED
+    }
 
 
 def remove_written(layout: Layout) -> None:

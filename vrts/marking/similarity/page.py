@@ -17,6 +17,7 @@ from vrts.report.plain import one_line, shown
 STYLE = "report/similarity.css"
 MOST_SHOWN = 60  # pairs side by side
 MOST_LINES = 80  # of a region
+LONGEST_LINE = 1_000  # characters of a line
 
 
 def similarity_page(
@@ -153,7 +154,8 @@ def _block(region: Region, first: SourceFile, second: SourceFile) -> Markup:
 
 def _lines(source: SourceFile, start: int, end: int) -> Markup:
     last = min(end, start + MOST_LINES - 1)
-    texts = dedent("\n".join(shown(source.line_text(k)).text for k in range(start, last + 1)))
+    cut = (source.line_text(k)[:LONGEST_LINE] for k in range(start, last + 1))
+    texts = dedent("\n".join(shown(line).text for line in cut))
     rows = [
         element(
             "tr",

@@ -15,6 +15,7 @@ from vrts.web.assets import asset
 STYLE = "report/similarity.css"
 FRAMES = f"{POLICY}; frame-src file: 'self'"  # both reports stand in files beside this one
 MOST_LINES = 2_000  # of a program
+LONGEST_LINE = 1_000  # characters of a line
 MOST_MARKS = 3  # numbers of evidence beside a line
 SAYS = (
     "Two programs may be alike because of one textbook, one lab, one teacher, or help that was"
@@ -227,7 +228,7 @@ def _source(side: Side, marks: Mapping[int, list[int]], letter: str) -> Markup:
             "tr",
             element("th", str(number), class_="line", scope="row"),
             element("td", *_numbers(marks.get(number, ())), class_="marks"),
-            element("td", element("code", shown(text).text)),
+            element("td", element("code", shown(text[:LONGEST_LINE]).text)),
             id=f"{letter}{number}",
             class_="shared" if number in marks else None,
         )

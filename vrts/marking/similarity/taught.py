@@ -13,10 +13,11 @@ MOST_VALUES = 2_000  # of a program
 LEAST_NUMBERS = 3  # in a row: a position
 DECIMALS = 2  # 0.01 mm and 0.01 degrees
 
-_NUMBER = r"[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?"
+# nothing is taken back: a long line takes time by its length, not by its square
+_NUMBER = r"[-+]?(?:\d++(?:\.\d*+)?|\.\d++)(?:[eE][-+]?\d++)?+"
 _ROW = re.compile(
-    rf"(?P<name>[$#]?[A-Za-z][\w.]*)(?:\[[^\]]*\])?[ \t]*(?:=[ \t]*)?"
-    rf"(?P<numbers>{_NUMBER}(?:[ \t,]+{_NUMBER})*)[ \t]*$",
+    rf"(?P<name>[$#]?[A-Za-z][\w.]*+)(?:\[[^\]]*+\])?+[ \t]*+(?:=[ \t]*+)?+"
+    rf"(?P<numbers>{_NUMBER}(?:[ \t,]++{_NUMBER})*+)[ \t]*+$",
     re.ASCII,
 )
 _CALL = re.compile(

@@ -1,6 +1,7 @@
 """Steps in small pieces: each alone, two and three in a row, and what stands in expressions."""
 
 from collections.abc import Iterator, Sequence
+from itertools import islice
 from math import log2
 
 from vrts.ir.module import Module
@@ -11,13 +12,14 @@ DEEDS = ("Move", "Depart", "Draw", "Drive", "Align", "Ready", "Nest", "MoveHand"
 NUMBER_SHARE = 0.06  # of a number: the size of a cell of its logarithm, more or less
 ROWS = ((2, 8.0), (3, 10.0), (4, 12.0))  # numbers of deeds in a row, and the size of a cell
 DEEDS_IN_A_ROW = (3, 5, 8, 12)
+MOST_PIECES = 100_000  # of a program, before those that repeat are dropped
 USUAL = frozenset({0.0, 1.0})  # numbers that tell nothing
 
 
 def code_features(module: Module) -> Iterator[Feature]:
     """Yield what there is to compare of the steps of a program."""
     steps = steps_of(module)
-    yield from counted(tuple(_pieces(steps)))
+    yield from counted(tuple(islice(_pieces(steps), MOST_PIECES)))
 
 
 def _pieces(steps: Sequence[Step]) -> Iterator[Feature]:

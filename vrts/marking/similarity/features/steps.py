@@ -1,7 +1,8 @@
 """A program as one list of steps without disguise: calls put in place, loops alike, filler gone."""
 
+from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
-from typing import NamedTuple
+from typing import NamedTuple, cast
 
 from vrts.ir.control import BeginFor, Call, Jump, JumpIf, NextFor, Return, TestCase, TestFor
 from vrts.ir.data import Assign, Prompt, Type
@@ -20,6 +21,10 @@ from vrts.marking.similarity.features.expressions import (
 
 MOST_STEPS = 2_500  # of a program, calls put in place
 DEEPEST = 8  # calls in calls that are put in place
+MOST_WORK = 300_000  # nodes of instructions that are visited, over and over where calls repeat them
+LARGEST = 4_000  # nodes of an instruction; a larger one is left out
+LONGEST = 4_000  # characters of an instruction that are compared
+MOST_NUMBERS = 64  # of an instruction
 LEAST_WAIT_S = 0.05  # a shorter DELAY is filler
 _NOTHING = (Jump, Return, Break, Type)  # structure alone, or what only people see
 
@@ -34,6 +39,14 @@ class Step(NamedTuple):
     speed: str  # in force, for motions; "": it is no motion
     loops: int  # how deep in loops and branches it stands
     line: int  # of the file
+
+
+class _Outline(NamedTuple):
+    """What is asked of a program at each call."""
+
+    loops: Sequence[int]  # how deep each instruction stands
+    limits: Mapping[int, BeginFor]  # by loop
+    sizes: Sequence[int]  # nodes of each instruction
 
 
 class _Context(NamedTuple):
@@ -62,6 +75,8 @@ class _Writer:
     def __init__(self, module: Module, programs: Sequence[str]) -> None:
         self._module = module
         self.steps: list[Step] = []
+        self._left = MOST_WORK
+        self._outlines: dict[str, _Outline] = {}
         self._speed, self._once = "", ""
         reached = _reached(module, programs)
         flat = [one for program in reached for one in program.instructions]
@@ -76,12 +91,17 @@ class _Writer:
         program = self._module.programs.get(name)
         if program is None:
             return
-        loops, limits = _loops(program), _limits(program)
+        if name not in self._outlines:
+            self._outlines[name] = _outline(program)
+        loops, limits, sizes = self._outlines[name]
         for number, (one, origin) in enumerate(
             zip(program.instructions, program.origins, strict=True)
         ):
-            if len(self.steps) >= MOST_STEPS:
+            self._left -= min(sizes[number], LARGEST)
+            if len(self.steps) >= MOST_STEPS or self._left <= 0:
                 return
+            if sizes[number] > LARGEST:
+                continue
             inner = context._replace(loops=context.loops + loops[number])
             if isinstance(one, Call) and self._goes_in(one, inner):
                 given = tuple(given_of(argument, inner.known) for argument in one.arguments)
@@ -153,19 +173,20 @@ def _reached(module: Module, programs: Sequence[str]) -> list[Program]:
 def _read(flat: Sequence[Instruction]) -> frozenset[str]:
     """Return the variables whose values reach anything but other variables, and what is typed."""
     live: set[str] = set()
-    feeds: list[tuple[str, frozenset[str]]] = []
+    feeds: defaultdict[str, set[str]] = defaultdict(set)  # what each variable is made of
     for one in flat:
         if isinstance(one, Type):
             continue
         if isinstance(one, Assign) and not isinstance(one.place.variable, Slot):
-            feeds.append((one.place.variable.name, _read_by(one)))
+            feeds[one.place.variable.name] |= _read_by(one)
         else:
             live |= _read_by(one)
-    while True:
-        more = {name for to, names in feeds if to in live for name in names} - live
-        if not more:
-            return frozenset(live)
-        live |= more
+    left = list(live)
+    while left:
+        new = feeds.pop(left.pop(), set[str]()) - live
+        live |= new
+        left += new
+    return frozenset(live)
 
 
 def _read_by(one: Instruction) -> frozenset[str]:
@@ -202,6 +223,27 @@ def _constants(module: Module, flat: Sequence[Instruction]) -> dict[str, float]:
         if one is not None and not more:
             found[name] = one
     return found
+
+
+def _outline(program: Program) -> _Outline:
+    limits = _limits(program)
+    sizes = [
+        _size(one) + (_size(limits[one.loop]) if isinstance(one, TestFor | NextFor) else 0)
+        for one in program.instructions
+    ]
+    return _Outline(_loops(program), limits, sizes)
+
+
+def _size(one: Instruction) -> int:
+    """Return how many nodes an instruction has."""
+    count = 0
+    left: list[object] = [one]
+    while left:
+        node = left.pop()
+        count += 1
+        if isinstance(node, tuple):
+            left.extend(cast("tuple[object, ...]", node))
+    return count
 
 
 def _loops(program: Program) -> list[int]:
@@ -273,7 +315,8 @@ def _told(one: Instruction, known: Known) -> tuple[str, str, str, tuple[float, .
                         numbers.append(value)
         else:
             plain.append(str(getattr(part, "value", part)))
-    head = " ".join([name, *plain])
+    head = " ".join([name, *plain])[:LONGEST]
     if isinstance(one, Move) and one.retreat is not None:
         head += " above"
-    return head, f"{head}({';'.join(shapes)})", f"{head}({';'.join(exact)})", tuple(numbers)
+    shape, spelled_out = f"{head}({';'.join(shapes)})", f"{head}({';'.join(exact)})"
+    return head, shape[:LONGEST], spelled_out[:LONGEST], tuple(numbers[:MOST_NUMBERS])
