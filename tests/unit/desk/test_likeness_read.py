@@ -32,6 +32,18 @@ def test_groups_say_how_strong_they_are() -> None:
     assert found["c"].group != found["a"].group
 
 
+def test_a_member_is_as_strong_as_its_own_best_link() -> None:
+    links = [
+        {"first": "a", "second": "b", "score": 0.99, "strength": "strong"},
+        {"first": "a", "second": "c", "score": 0.4, "strength": "worth a look"},
+        {"first": "b", "second": "c", "score": 0.1, "strength": "weak"},
+    ]
+    group = {"members": ["a", "b", "c"], "score": 0.99, "strength": "strong", "links": links}
+    found = read_likeness(json.dumps({"groups": [group]}).encode())
+    assert [found[k].strength for k in "abc"] == ["strong", "strong", "worth a look"]
+    assert (found["c"].score, found["c"].with_) == (0.4, ("a", "b"))
+
+
 @pytest.mark.parametrize(
     "text", ["[]", "{", "{}", '{"pairs": [1]}', '{"groups": [{"members": 3}]}']
 )

@@ -54,20 +54,33 @@ def _of_pairs(pairs: list[dict[str, Any]]) -> dict[str, Likeness]:
 
 
 def _of_groups(groups: list[dict[str, Any]]) -> dict[str, Likeness]:
-    """Return the strongest group that each is in."""
+    """Return the strongest group that each is in, as strong as its own best link is."""
     found: dict[str, Likeness] = {}
     for number, group in enumerate(groups):
         members = [_member(one) for one in cast("list[Any]", group["members"])]
         score = float(group.get("score", group.get("strength_score", 0.0)))
         strength = group.get("strength")
         name = str(group.get("id", number + 1))
+        best = _best_links(cast("list[dict[str, Any]]", group.get("links") or []))
         for member in members:
             rest = [other for other in members if other != member]
-            one = _likeness(name, score, rest)
-            if isinstance(strength, str):
-                one = msgspec.structs.replace(one, strength=strength)
-            if member not in found or found[member].score < score:
+            own, word = best.get(member, (score, strength))
+            one = _likeness(name, own, rest)
+            if isinstance(word, str):
+                one = msgspec.structs.replace(one, strength=word)
+            if member not in found or found[member].score < own:
                 found[member] = one
+    return found
+
+
+def _best_links(links: list[dict[str, Any]]) -> dict[str, tuple[float, object]]:
+    """Return score and strength of the best link of each program."""
+    found: dict[str, tuple[float, object]] = {}
+    for link in links:
+        score = float(link["score"])
+        for name in (str(link["first"]), str(link["second"])):
+            if name not in found or found[name][0] < score:
+                found[name] = score, link.get("strength")
     return found
 
 

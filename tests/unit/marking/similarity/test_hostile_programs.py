@@ -2,7 +2,7 @@
 
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Generator
 from contextlib import contextmanager
 from types import FrameType, SimpleNamespace
 from typing import Any, cast
@@ -21,7 +21,7 @@ from vrts.pipeline.compiling.programs import compile_bytes
 
 
 @contextmanager
-def at_most(lines: int) -> Iterator[None]:
+def at_most(lines: int) -> Generator[None]:
     """Fail once more lines of the features have been executed."""
     left = lines
 

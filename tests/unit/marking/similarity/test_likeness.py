@@ -86,6 +86,8 @@ def test_programs_of_another_folder_are_named_by_it() -> None:
 
 
 def test_those_who_handed_in_together_are_not_compared() -> None:
+    alone = likeness(of_class(10, 1), jobs=1)
+    assert any({"s00", "copy00"} <= {*group.members} for group in alone.groups)
     found = likeness(of_class(10, 1), (), {"s00": "g1", "copy00": "g1", "s01": ""}, jobs=1)
     assert not any({"s00", "copy00"} <= {*group.members} for group in found.groups)
 
