@@ -9,6 +9,7 @@ import msgspec
 
 from vrts.assignments.pack import read_zip
 from vrts.assignments.packed import is_packed
+from vrts.assignments.variants.places import with_places
 from vrts.marking.layout import COMPARED, Layout, write_atomically
 from vrts.marking.marking import Done
 from vrts.marking.overview.links import staff_report
@@ -22,6 +23,7 @@ from vrts.marking.similarity.pair_page import Side, pair_page
 from vrts.marking.similarity.ranking import Corpus, Ranking, similarity, to_bytes
 from vrts.marking.submission.marker import Marker
 from vrts.marking.submission.report_files import REPORT
+from vrts.marking.variants.marker import VariantsMarker
 from vrts.marking.whole_class import Marked
 from vrts.pipeline.files import read_bytes
 from vrts.pipeline.setting import Setting
@@ -39,6 +41,20 @@ GIVEN = ("start.v2", "handout/*.v2")  # in the folder of a task
 def given(task: Path, setting: Setting) -> tuple[bytes, ...]:
     """Return what everybody was given: programs beside the task, and the scene's locations."""
     return (*_programs(task), location_block(setting.scene.locations).encode())
+
+
+def given_to(students: Iterable[str], marker: Marker) -> tuple[bytes, ...]:
+    """Return what everybody was given, and what each was given in a variant of the task."""
+    found = given(Path(marker.place.task), marker.whole)
+    if not isinstance(marker, VariantsMarker):
+        return found
+    texts, before = found[:-1], marker.whole.scene.locations
+    several = dict.fromkeys(found)  # each once
+    for tag in sorted({marker.tags.get(student, "") for student in students} & {*marker.places}):
+        now = marker.by(tag).whole.scene.locations
+        several |= dict.fromkeys(with_places(text, before, now) for text in texts)
+        several[location_block(now).encode()] = None
+    return tuple(several)
 
 
 def _programs(task: Path) -> list[bytes]:
@@ -68,7 +84,7 @@ def compare_class(marked: Marked, marker: Marker, layout: Layout, corpora: Corpo
         marked.rows.title,
         with_sketches(programs, layout),
         marked.groups,
-        given(Path(marker.place.task), marker.whole),
+        given_to(programs, marker),
     )
     keep(kept, layout)
     write_similarity(
@@ -134,7 +150,7 @@ def write_similarity(
         for link in group.links:
             if link.page:
                 both = sides.side(link.first), sides.side(link.second)
-                evidence = found.evidence[link.first, link.second]
+                evidence = found.evidence(link.first, link.second)
                 page = pair_page(link, group, evidence, both, kept.title)
                 write_atomically(layout.staff / link.page, page.encode())
     page = similarity_page(ranking, texts, kept.title, names, pages=pages)

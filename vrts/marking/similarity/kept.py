@@ -32,6 +32,7 @@ LARGEST_PROGRAM = 4_000_000  # bytes
 LARGEST_CONTENTS = 16_000_000
 LARGEST_ALL = 2_000_000_000  # bytes of everything, unpacked
 MOST_PROGRAMS = 20_000
+MOST_GIVEN = 100_000  # where each student has a variant, several for each
 
 Identifier = Annotated[str, Meta(min_length=1, max_length=400)]
 
@@ -49,7 +50,7 @@ class Contents(Record, frozen=True):
 
     schema: Literal["vrts.programs/1"]
     title: Annotated[str, Meta(max_length=1000)]
-    given: Annotated[int, Meta(ge=0, le=1000)]  # files that everybody was given
+    given: Annotated[int, Meta(ge=0, le=MOST_GIVEN)]  # files that students were given
     programs: Annotated[tuple[KeptProgram, ...], Meta(max_length=MOST_PROGRAMS)]
 
 

@@ -1,7 +1,8 @@
 """Which programs of a class seem to come from one source: groups, with the evidence in words."""
 
 import os
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -29,6 +30,7 @@ from vrts.marking.similarity.weighing.shares import Shares, shares
 MOST_EXPECTED = 20.0  # pairs by chance: links of which more are expected say nothing
 MOST_LINKS = 400  # of a group, told one by one
 WRITTEN = (Channel.STEPS, Channel.NUMBERS, Channel.WORDS)  # the same where a file is the same
+REMEMBERED = 64  # programs whose features are kept while pairs are told
 CHUNKS = 16  # parts of a class that a worker reads at a time
 
 Names = tuple[str, ...]
@@ -40,7 +42,7 @@ class Likeness(NamedTuple):
     """What was found out about a class."""
 
     groups: tuple[Group, ...]
-    evidence: Mapping[tuple[str, str], tuple[Evidence, ...]]  # of every link
+    evidence: Callable[[str, str], tuple[Evidence, ...]]  # of a link, found when it is asked for
 
 
 def likeness(
@@ -68,7 +70,7 @@ def likeness(
     names: Names = (*own, *(name for name, _ in others))
     all_programs = [*(programs[name] for name in own), *(program for _, program in others)]
     if not own or len(names) < 2:
-        return Likeness((), {})
+        return Likeness((), lambda _, __: ())
     digests = _digests(all_programs, jobs or min(2, os.cpu_count() or 1))
     known = _given(given)
     compared = _compared(own, len(names), together or {}, digests)
@@ -157,23 +159,24 @@ def _told(
     found: _Found,
 ) -> Likeness:
     reader = Reader()
-    read: dict[int, dict[Channel, dict[int, Feature]]] = {}
+    numbers = {name: number for number, name in enumerate(names)}
 
+    @lru_cache(REMEMBERED)
     def features(number: int) -> dict[Channel, dict[int, Feature]]:
-        if number not in read:
-            read[number] = _by_digest(programs[number], reader)
-        return read[number]
+        return _by_digest(programs[number], reader)
+
+    def evidence(first: str, second: str) -> tuple[Evidence, ...]:
+        i, j = numbers[first], numbers[second]
+        shared = evidence_of(features(i), features(j), found.shares, found.given)
+        nearly = nearness_told(found.near.of(i, j), found.details[i], found.details[j])
+        return most_telling([*shared, *nearly])
 
     told: list[Group] = []
-    evidence: dict[tuple[str, str], tuple[Evidence, ...]] = {}
     for group in groups:
         links: list[Link] = []
-        for i, j in group.links[:MOST_LINKS]:
+        for i, j in _some_links(group):
             expected = float(found.chance.expected[i, j])
             links.append(Link(names[i], names[j], _score(expected), strength_of(expected)))
-            shared = evidence_of(features(i), features(j), found.shares, found.given)
-            nearly = nearness_told(found.near.of(i, j), found.details[i], found.details[j])
-            evidence[names[i], names[j]] = most_telling([*shared, *nearly])
         strongest = links[0]
         told.append(
             Group(
@@ -182,10 +185,21 @@ def _told(
                 strength_of(group.expected),
                 float(f"{group.expected:.3g}"),
                 tuple(links),
-                evidence[strongest.first, strongest.second],
+                evidence(strongest.first, strongest.second),
             )
         )
     return Likeness(tuple(told), evidence)
+
+
+def _some_links(group: Together) -> list[tuple[int, int]]:
+    """Return the strongest links of a group, and the strongest of each member."""
+    some = list(group.links[:MOST_LINKS])
+    seen = {member for link in some for member in link}
+    for link in group.links[MOST_LINKS:]:
+        if not seen.issuperset(link):
+            some.append(link)
+            seen.update(link)
+    return some
 
 
 def _by_digest(program: Program, reader: Reader) -> dict[Channel, dict[int, Feature]]:

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from vrts.marking.similarity.features.extract import Program
+from vrts.marking.similarity.groups import Evidence
 from vrts.marking.similarity.likeness import Likeness, likeness
 from vrts.marking.similarity.weighing.grouping import groups_of
 
@@ -123,3 +124,23 @@ def test_a_chain_is_no_group() -> None:
     expected = np.where(surprise > 0, 0.001, 1e9)
     groups = groups_of(surprise, expected, np.triu(np.ones((4, 4), dtype=np.bool_), 1), 20.0)
     assert [group.members for group in groups] == [(0, 1, 2, 3)]
+
+
+def test_a_large_group_tells_the_best_link_of_each_and_evidence_when_asked(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    asked: list[object] = []
+
+    def counted(*words: object) -> tuple[Evidence, ...]:
+        asked.append(words)
+        return ()
+
+    monkeypatch.setattr("vrts.marking.similarity.likeness.evidence_of", counted)
+    monkeypatch.setattr("vrts.marking.similarity.likeness.MOST_LINKS", 2)
+    same = {f"t{k}": Program(program(37).encode()) for k in range(5)}
+    found = likeness({**of_class(24), **same}, jobs=1)
+    group = found.groups[0]
+    assert {*group.members} == {name for one in group.links for name in (one.first, one.second)}
+    assert len(asked) == len(found.groups)
+    found.evidence(group.links[1].first, group.links[1].second)
+    assert len(asked) == len(found.groups) + 1

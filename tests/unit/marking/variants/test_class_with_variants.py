@@ -18,6 +18,9 @@ from vrts.cli.main import vrts
 from vrts.marking.layout import RESULT, Layout
 from vrts.marking.privacy.purge import FOLDERS
 from vrts.marking.row import Row, class_from_bytes
+from vrts.marking.similarity.kept import place_of, read_kept
+from vrts.marking.similarity.ranking import similarity
+from vrts.scene.block import location_block
 
 LAB = ROOT / "examples" / "08-own-numbers" / "lab1"
 CLASS = {"4711": "Ada Byron", "4712": "Kurt Weill", "4713": "Lena Meyer", "4714": "Nobody Yet"}
@@ -156,3 +159,19 @@ def test_what_marking_needs_is_asked_for(home: Home, tmp_path: Path) -> None:
     told = call("grade", plain, home.download, "--key", home.lab / NAME)
     assert "`--key` is for variants" in told.output
     assert not (tmp_path / "out").exists()
+
+
+def test_what_a_variant_gives_is_no_evidence_of_likeness(home: Home, marked: Layout) -> None:
+    given = read_kept(place_of(marked)).given
+    varied, key = load_varied(home.lab), key_of(home.lab / NAME)
+    written = location_block(varied.base.scene.locations)
+    for number in ("4711", "4713"):
+        variant = drawn(varied.variants, key, f"{number}@b.c")
+        block = location_block(varied.setting(variant.combination).scene.locations)
+        assert block != written
+        programs = {
+            name: f".PROGRAM main()\n  {step}\n.END\n{block}".encode()
+            for name, step in (("a", "READY"), ("b", "OPENI"))
+        }
+        assert similarity(programs, [written.encode()]).pairs  # the task as written is not enough
+        assert not similarity(programs, given).pairs
