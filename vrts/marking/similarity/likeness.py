@@ -70,7 +70,7 @@ def likeness(
     names: Names = (*own, *(name for name, _ in others))
     all_programs = [*(programs[name] for name in own), *(program for _, program in others)]
     if not own or len(names) < 2:
-        return Likeness((), lambda _, __: ())
+        return Likeness((), _nothing)
     digests = _digests(all_programs, jobs or min(2, os.cpu_count() or 1))
     known = _given(given)
     compared = _compared(own, len(names), together or {}, digests)
@@ -94,6 +94,10 @@ def likeness(
     )
     groups = groups_of(chance.surprise, chance.expected, compared, MOST_EXPECTED)
     return _told(groups, names, all_programs, _Found(found, chance, known, near, details))
+
+
+def _nothing(_first: str, _second: str) -> tuple[Evidence, ...]:
+    return ()
 
 
 class _Found(NamedTuple):

@@ -1,6 +1,7 @@
 """Groups: who is in them, how strong they are said to be, and who is never compared."""
 
 import random
+from typing import Any
 
 import numpy as np
 import pytest
@@ -144,3 +145,21 @@ def test_a_large_group_tells_the_best_link_of_each_and_evidence_when_asked(
     assert len(asked) == len(found.groups)
     found.evidence(group.links[1].first, group.links[1].second)
     assert len(asked) == len(found.groups) + 1
+
+
+def test_two_clusters_that_do_not_hang_together_are_tried_once() -> None:
+    asked = 0
+
+    class Counted(np.ndarray[Any, Any]):
+        def __getitem__(self, place: Any) -> Any:
+            nonlocal asked
+            asked += isinstance(place, tuple) and all(isinstance(one, int) for one in place)
+            return super().__getitem__(place)
+
+    surprise = np.triu(np.full((60, 60), 1.0), 1)  # two sets of 30, hardly linked to each other
+    surprise[:30, :30] = surprise[30:, 30:] = np.triu(np.full((30, 30), 20.0), 1)
+    compared = np.triu(np.ones((60, 60), dtype=np.bool_), 1)
+    expected = np.where(surprise > 0, 0.001, 1e9)
+    groups = groups_of(surprise.view(Counted), expected, compared, 20.0)
+    assert [len(group.members) for group in groups] == [30, 30]
+    assert asked < 10_000

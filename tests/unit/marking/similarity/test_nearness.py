@@ -3,6 +3,8 @@
 import random
 
 import numpy as np
+import pytest
+from numpy.typing import NDArray
 
 from vrts.marking.similarity.evidence import nearness_told
 from vrts.marking.similarity.features.episodes import Detail, by_key, words_of_detail
@@ -10,6 +12,7 @@ from vrts.marking.similarity.features.extract import Program
 from vrts.marking.similarity.likeness import likeness
 from vrts.marking.similarity.weighing.chance import chances
 from vrts.marking.similarity.weighing.nearness import Nearness, nearness
+from vrts.marking.similarity.weighing.nearness import _away as _away  # pyright: ignore[reportPrivateUsage]
 from vrts.marking.submission.sketch import Sketch, Stop
 
 PLACES = {"can1": (8000, -4500, -2250), "can2": (7500, 4500, -2250), "can3": (9000, 0, -2250)}
@@ -164,3 +167,25 @@ def test_a_copy_by_motion_alone_is_the_first_group() -> None:
     found = likeness(programs, jobs=1)
     assert found.groups[0].members == ("s00", "s40")
     assert any("nearly" in one.words for one in found.groups[0].evidence)
+
+
+def test_blocks_of_rows_change_nothing_and_bound_the_memory(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    draw = np.random.default_rng(3)
+    details = [
+        {("put", "can"): [tuple(map(float, draw.normal(0, 9, 3))) for _ in range(1 + k % 4)]}
+        for k in range(30)
+    ]
+    whole = nearness(details, 24).total
+    monkeypatch.setattr("vrts.marking.similarity.weighing.nearness.BLOCK", 600)
+    assert np.array_equal(nearness(details, 24).total, whole)
+    held: list[int] = []
+
+    def counted(one: NDArray[np.float32], other: NDArray[np.float32]) -> NDArray[np.float32]:
+        held.append(len(one) * len(other))
+        return _away(one, other)
+
+    monkeypatch.setattr("vrts.marking.similarity.weighing.nearness._away", counted)
+    assert np.array_equal(nearness(details, 24).total, whole)
+    assert max(held) <= 600

@@ -38,13 +38,16 @@ def groups_of(
     cluster: dict[int, set[int]] = {}
     best: dict[int, tuple[int, int]] = {}  # of a cluster, by its first member
     home: dict[int, int] = {}
+    refused: set[tuple[int, int, int, int]] = set()  # two clusters, and how large they were
     for i, j in edges:
         for one in (i, j):
             if one not in home:
                 home[one] = one
                 cluster[one] = {one}
         a, b = home[i], home[j]
-        if a == b:
+        kept, gone = min(a, b), max(a, b)
+        tried = (kept, gone, len(cluster[kept]), len(cluster[gone]))
+        if a == b or tried in refused:
             continue
         between = [
             float(surprise[min(x, y), max(x, y)])
@@ -52,11 +55,11 @@ def groups_of(
             for y in cluster[b]
             if min(x, y) < own and compared[min(x, y), max(x, y)]
         ]
-        kept, gone = min(a, b), max(a, b)
         tops = [best[k] for k in (kept, gone) if k in best] or [(i, j)]
         strongest = max(*between, *(float(surprise[pair]) for pair in tops))
         fits = np.mean(between) >= HANG_TOGETHER * strongest
         if not fits or min(between) < LEAST_LINK * strongest:
+            refused.add(tried)
             continue
         cluster[kept] |= cluster.pop(gone)
         for one in cluster[kept]:

@@ -17,6 +17,7 @@ Vectors = Sequence[tuple[float, ...]]
 
 BACKGROUND = 10.0  # programs that are thought to stand beside a class, of which nothing is known
 COMMON = 0.5  # share of a class from which on nearness tells nothing
+BLOCK = 2_000_000  # distances between rows that are held at a time
 SAME = 0.05  # distances that differ by less are the same
 LEAST_PROGRAMS = 5  # with a detail, before its ranks tell anything
 
@@ -108,19 +109,35 @@ def _table(details: Sequence[Mapping[Key, Vectors]], key: Key, count: int) -> _T
 
 def _nats(table: _Table, count: int) -> Floats:
     """Return the nats of one key; within the class those of both directions."""
-    own, inside = table.own, table.inside
-    away = np.minimum.reduceat(_away(table.rows[:own], table.rows), table.starts, axis=1)
-    owner = np.repeat(np.arange(inside), table.lengths[:inside])
-    away[np.arange(own), owner] = np.inf
-    usual = np.sort(away[:, :inside], axis=1)
-    rank = np.empty(away.shape, dtype=np.int64)
-    for k in range(own):
-        rank[k] = np.searchsorted(usual[k], away[k] + SAME, side="right")
-    nats = _weights(np.maximum(rank, 1), count)
-    nats[np.arange(own), owner] = 0.0
-    means = np.add.reduceat(nats, table.starts[:inside], axis=0) / table.lengths[:inside, None]
+    inside = table.inside
+    means = np.empty((inside, len(table.ids)))
+    size = max(1, BLOCK // (len(table.rows) * int(table.lengths[:inside].max())))  # programs
+    for first in range(0, inside, size):
+        last = min(inside, first + size)
+        lengths = table.lengths[first:last]
+        start = int(table.starts[first])
+        rows = table.rows[start : start + int(lengths.sum())]
+        nats = _nats_of_rows(table, rows, np.repeat(np.arange(first, last), lengths), count)
+        starts = table.starts[first:last] - start
+        means[first:last] = np.add.reduceat(nats, starts, axis=0) / lengths[:, None]
     means[:, :inside] = (means[:, :inside] + means[:, :inside].T) / 2.0
     return means
+
+
+def _nats_of_rows(
+    table: _Table, rows: NDArray[np.float32], owner: NDArray[np.int64], count: int
+) -> Floats:
+    """Return the nats of some rows of the class with each program; `owner`: of each row."""
+    away = np.minimum.reduceat(_away(rows, table.rows), table.starts, axis=1)
+    places = np.arange(len(rows))
+    away[places, owner] = np.inf
+    usual = np.sort(away[:, : table.inside], axis=1)
+    rank = np.empty(away.shape, dtype=np.int64)
+    for k in places:
+        rank[k] = np.searchsorted(usual[k], away[k] + SAME, side="right")
+    nats = _weights(np.maximum(rank, 1), count)
+    nats[places, owner] = 0.0
+    return nats
 
 
 def _away(one: NDArray[np.float32], other: NDArray[np.float32]) -> NDArray[np.float32]:
