@@ -61,10 +61,10 @@ def read_corpora(paths: Sequence[Path], out: Path | None = None) -> Corpora:
             findings.append(warning(EMPTY, headline))
             continue
         programs[name] = found
+        if sum(map(len, programs.values())) > MOST:
+            raise CannotRead(f"the folders to compare with hold more than {MOST:,} programs")
         if marked:
             places[name] = path
-    if sum(map(len, programs.values())) > MOST:
-        raise CannotRead(f"the folders to compare with hold more than {MOST:,} programs")
     return Corpora(programs, places, tuple(findings))
 
 

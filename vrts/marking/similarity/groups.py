@@ -11,7 +11,12 @@ STRONG, LOOK = 0.05, 0.5  # pairs as much alike that are expected by chance, at 
 Strength: TypeAlias = Literal["strong", "worth a look", "weak"]
 Score: TypeAlias = Annotated[
     float,
-    Meta(ge=0, le=1, description="0.5: one pair as much alike is expected in this class by chance"),
+    Meta(
+        ge=0,
+        le=1,
+        description="0.5: one pair as much alike is expected by chance among all that are compared,"
+        " those with other folders too; fewer than 500 pairs count as 500",
+    ),
 ]
 
 
@@ -43,7 +48,12 @@ class Group(Record, frozen=True):
     score: Score
     strength: Strength
     expected: Annotated[
-        float, Meta(ge=0, description="pairs as much alike that are expected by chance")
+        float,
+        Meta(
+            ge=0,
+            description="pairs as much alike that are expected by chance among all that are"
+            " compared, those with other folders too; fewer than 500 pairs count as 500",
+        ),
     ]
     links: tuple[Link, ...]
     evidence: Annotated[

@@ -1,7 +1,8 @@
 """What a marking keeps to compare programs with: one zip, also the corpus of later years.
 
 It holds programs, what their runs did, and what everybody was given, under the identifiers of the
-marking and without names. It may come from anywhere and is read without trust.
+marking. Comments in programs stay as they are, so names that students wrote there do too. It may
+come from anywhere and is read without trust.
 """
 
 from collections.abc import Mapping
@@ -30,7 +31,8 @@ SCHEMA = "vrts.programs/1"
 MODE = 0o600
 LARGEST_PROGRAM = 4_000_000  # bytes
 LARGEST_CONTENTS = 16_000_000
-LARGEST_ALL = 2_000_000_000  # bytes of everything, unpacked
+LARGEST_ALL = 600_000_000  # bytes of everything, unpacked
+RATIO, RATIO_FROM = 200, 64_000_000  # from so many bytes on, so many times the zip's size is a bomb
 MOST_PROGRAMS = 20_000
 MOST_GIVEN = 100_000  # where each student has a variant, several for each
 
@@ -98,9 +100,12 @@ def read_kept(path: Path) -> Kept:
     try:
         with path.open("rb") as file:
             archive = Unpacker(file)
+            total, size = sum(archive.sizes.values()), path.stat().st_size
+            if total > LARGEST_ALL or (total > RATIO_FROM and total > RATIO * size):
+                raise Damaged(f"it unpacks to {total / 1e6:.0f} MB")
             contents = decoded(_member(archive, CONTENTS, LARGEST_CONTENTS), Contents)
-            if sum(archive.sizes.values()) > LARGEST_ALL:
-                raise Damaged("its files are too large")
+            if len({one.id for one in contents.programs}) < len(contents.programs):
+                raise Damaged("it has two programs of one id")
             programs = {
                 one.id: Program(
                     _member(archive, f"programs/{k}.v2", LARGEST_PROGRAM),

@@ -214,8 +214,9 @@ def _method(ranking: Ranking) -> Markup:
     )
     strength = (
         "Nearly all pairs of a class are innocent, and show what chance can do. A group is strong"
-        f" where at most {STRONG:g} pairs as much alike are expected by chance in the whole class,"
-        f" worth a look up to {LOOK:g}, and weak beyond. The bar beside it is half full where one"
+        f" where at most {STRONG:g} pairs as much alike are expected by chance among all that were"
+        f" compared, worth a look up to {LOOK:g}, and weak beyond. Pairs with other folders count"
+        " too, and fewer than 500 pairs count as 500. The bar beside it is half full where one"
         " such pair is expected by chance. A group holds only those who hang together with all"
         " others in it."
     )

@@ -21,7 +21,9 @@ SAYS = (
     "Two programs may be alike because of one textbook, one lab, one teacher, or help that was"
     " allowed. Read both programs, and hear both students. Likeness changes no mark."
 )
-CHANCE = "0.50 is what one pair of this class would reach by chance"
+CHANCE = (
+    "0.50 is what one pair would reach by chance among all that were compared, other folders too"
+)
 KINDS = {
     "motion": "Motion",
     "steps": "Steps",

@@ -10,6 +10,7 @@ from click.testing import CliRunner
 from tests.unit.marking.similarity.support import ORIGINAL, disguised
 from tests.unit.marking.similarity.test_page import CORPUS as HOSTILE_STRINGS
 from tests.unit.report.page.test_html import Reader
+from vrts.base.zips import Unpacker
 from vrts.cli.main import vrts
 from vrts.marking.layout import Layout
 from vrts.marking.similarity.corpus import read_corpora
@@ -62,6 +63,42 @@ def test_a_damaged_zip_is_refused(tmp_path: Path, contents: dict[str, object]) -
     with pytest.raises(Refused) as refused:
         read_kept(path)
     assert codes(refused) == ["V775"]
+
+
+def test_a_bomb_and_two_programs_of_one_id_are_refused_before_they_are_read(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    read: list[str] = []
+    unpack = Unpacker.read
+
+    def counted(archive: Unpacker, name: str) -> bytes:
+        read.append(name)
+        return unpack(archive, name)
+
+    monkeypatch.setattr(Unpacker, "read", counted)
+    monkeypatch.setattr("vrts.marking.similarity.kept.RATIO_FROM", 4_000_000)
+    one = {"id": "a", "together": "", "ran": False}
+    head = {"schema": "vrts.programs/1", "title": "", "given": 0}
+    for number, (count, size) in enumerate(((2, 5), (2, 3_900_000))):
+        path = tmp_path / f"{number}.zip"
+        with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+            archive.writestr("programs.json", json.dumps({**head, "programs": [one] * count}))
+            for k in range(count):
+                archive.writestr(f"programs/{k}.v2", b" " * size)
+        with pytest.raises(Refused) as refused:
+            read_kept(path)
+        why = ("two programs of one id", "unpacks to 8 MB")[number]
+        assert why in refused.value.diagnostics[0].headline
+    assert read == ["programs.json"]
+
+
+def test_too_many_programs_are_told_before_more_are_read(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    keep(KEPT, Layout(tmp_path))
+    monkeypatch.setattr("vrts.marking.similarity.corpus.MOST", 1)
+    with pytest.raises(CannotRead, match="more than 1 programs"):
+        read_corpora([place_of(Layout(tmp_path)), tmp_path / "nowhere"])
 
 
 def test_programs_in_a_folder_or_a_kept_zip_are_a_corpus(tmp_path: Path) -> None:
@@ -146,6 +183,7 @@ def test_the_page_of_two_programs_shows_both_the_evidence_and_no_verdict() -> No
     links = [a["href"] for tag, a in read.elements if tag == "a"]
     assert {"#e1", "#a2", "#b3", "../similarity.html"} <= {*links}
     assert "Not a verdict." in read.text
+    assert "by chance among all that were compared, other folders too" in read.text
     assert "Others in this group: cara" in read.text
     for word in ("plagiar", "cheat", "copied", "suspect"):
         assert word not in read.text.lower(), word

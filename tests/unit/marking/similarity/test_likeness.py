@@ -153,7 +153,7 @@ def test_two_clusters_that_do_not_hang_together_are_tried_once() -> None:
     class Counted(np.ndarray[Any, Any]):
         def __getitem__(self, place: Any) -> Any:
             nonlocal asked
-            asked += isinstance(place, tuple) and all(isinstance(one, int) for one in place)
+            asked += 1
             return super().__getitem__(place)
 
     surprise = np.triu(np.full((60, 60), 1.0), 1)  # two sets of 30, hardly linked to each other
