@@ -13,11 +13,12 @@ from vrts.ir.module import Module
 from vrts.marking.marking import Done
 from vrts.marking.result import Kind
 from vrts.marking.similarity.features.code import code_features
+from vrts.marking.similarity.features.extract import Program, features_of
 from vrts.marking.similarity.features.steps import LONGEST, MOST_NUMBERS, MOST_STEPS, steps_of
 from vrts.marking.similarity.files import programs_of
-from vrts.marking.similarity.symbols import readable
+from vrts.marking.similarity.symbols import Reader, readable
 from vrts.marking.similarity.taught import taught
-from vrts.pipeline.compiling.programs import compile_bytes
+from vrts.pipeline.compiling.programs import Compiled, compile_bytes
 
 
 @contextmanager
@@ -86,6 +87,24 @@ def test_a_line_that_nearly_is_a_value_takes_time_by_its_length() -> None:
     begun = time.process_time()
     assert [one.numbers for one in taught(file)] == [(1.0, 2.0, 3.5)]
     assert time.process_time() - begun < 5.0  # [s]: a thousand times what it takes
+
+
+def test_a_program_of_very_many_lines_is_compared_without_being_compiled(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    compiled: list[bytes] = []
+
+    def counted(data: bytes, name: str) -> Compiled:
+        compiled.append(data)
+        return compile_bytes(data, name)
+
+    monkeypatch.setattr("vrts.marking.similarity.features.extract.compile_bytes", counted)
+    short, long = (
+        (".PROGRAM main()\n" + "READY\n" * count + ".END\n").encode() for count in (20, 20_000)
+    )
+    for data in (short, long):
+        assert list(features_of(Program(data), "a", Reader()))
+    assert compiled == [short]
 
 
 def test_a_submission_whose_process_was_ended_is_not_compared() -> None:

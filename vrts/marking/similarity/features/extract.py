@@ -15,6 +15,7 @@ from vrts.pipeline.compiling.programs import compile_bytes
 
 CHANNELS = tuple(Channel)
 MOST_FEATURES = 20_000  # of a program
+MOST_LINES = 20_000  # of a program that is compiled: some findings take time by the square
 
 
 class Program(NamedTuple):
@@ -40,6 +41,8 @@ def features_of(program: Program, name: str, reader: Reader) -> Iterator[Feature
     yield from habit_features(file)
     if program.sketch is not None:
         yield from motion_features(program.sketch)
+    if len(file.source.line_starts) > MOST_LINES:
+        return
     compilation = compile_bytes(program.data, name).compilation
     if compilation is not None and compilation.module is not None:
         yield from code_features(compilation.module)
