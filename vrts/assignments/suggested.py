@@ -88,9 +88,12 @@ class _Search:
 
 
 def suggested(setting: Setting) -> Suggested:
-    """Return the locations of a scene, made fit for the goals of the task that is set in it."""
+    """Return the locations of a scene, made fit for the goals of the task that is set in it.
+
+    A scene that withholds locations is left as it is: to find these is the work of students.
+    """
     task, scene = setting.task, setting.scene
-    if task is None or not task.goals:
+    if task is None or not task.goals or scene.withheld:  # what is to be found is not suggested
         return Suggested(scene.locations, (), (), ())
     search = _Search(setting, task, dict(scene.locations))
     ways: list[Way] = []

@@ -4,8 +4,17 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from vrts.base.safe_names import safe
+from vrts.base.toml.reading import read_toml
+from vrts.check.variants.section import SECTION
 from vrts.live.settings import Place
-from vrts.pipeline.files import SCENE_FILE, TASK_FILE, CannotRead, asked_scene, find_example
+from vrts.pipeline.files import (
+    SCENE_FILE,
+    TASK_FILE,
+    CannotRead,
+    asked_scene,
+    find_example,
+    read_toml_source,
+)
 
 
 def places_of(names: Sequence[str], lab: Path | None = None) -> tuple[Place, ...]:
@@ -27,6 +36,17 @@ def places_of(names: Sequence[str], lab: Path | None = None) -> tuple[Place, ...
             raise CannotRead(f"there are two scenes `{place.id}`", ("rename one",))
         places[place.id] = place._replace(lab=str(lab.resolve()) if lab is not None else "")
     return tuple(places.values())
+
+
+def with_variants(places: Sequence[Place]) -> tuple[str, ...]:
+    """Return what scenes of the set are called whose tasks have `[variants]`.
+
+    Raises:
+        CannotRead: A task cannot be read.
+    """
+    tasks = [place for place in places if place.task]
+    tops = [(place.id, read_toml(read_toml_source(Path(place.task)))[0]) for place in tasks]
+    return tuple(name for name, top in tops if top is not None and SECTION in top)
 
 
 def _place(name: str) -> Place:

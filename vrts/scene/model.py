@@ -19,6 +19,7 @@ from vrts.robots.timed import timed
 from vrts.scene.colors import Color
 
 NO_FILES: Mapping[str, bytes] = MappingProxyType({})
+NO_PLACES: Mapping[str, Pose | None] = MappingProxyType({})
 
 
 class Mobility(Enum):
@@ -69,6 +70,8 @@ class Scene:
     controller: ControllerModel = USUAL  # by which runs go
     # files that it names, by name, as read
     files: Mapping[str, bytes] = field(default_factory=lambda: NO_FILES)
+    # names that are not in `locations`: students find these places; None: vrts works out none
+    withheld: Mapping[str, Pose | None] = field(default_factory=lambda: NO_PLACES)
 
     def body(self, name: str) -> Body:
         """Return the body of a name. Raises KeyError when there is none."""

@@ -4,9 +4,11 @@ from pathlib import Path
 
 import pytest
 
-from vrts.live.places import places_of
+from tests.places import ROOT
+from vrts.live.places import places_of, with_variants
 from vrts.live.session.channel.messages import Start
 from vrts.live.session.setting import setting_of
+from vrts.live.session.views.places import places_of as hand_places
 from vrts.monitor.opening import opened
 from vrts.pipeline.files import CannotRead
 from vrts.pipeline.where import Where
@@ -35,6 +37,18 @@ def test_a_session_stands_in_the_lab_it_is_told(lab: Path, tmp_path: Path) -> No
     without = setting_of(Start(1, str(tmp_path), plain.scene, plain.task, plain.lab))
     assert found.scene.title == f"{without.scene.title}, in Cellar"
     assert (without.scene.robot.arm, found.scene.robot.arm) == (PUMA_761, PUMA_762)
+
+
+def test_rooms_get_a_task_with_variants_as_it_is_written(tmp_path: Path) -> None:
+    lab = ROOT / "examples" / "08-own-numbers" / "lab1"
+    (place, _) = places = places_of((str(lab / "task.toml"), "cans-on-bases"))
+    assert with_variants(places) == ("lab1",)
+    found = setting_of(Start(1, str(tmp_path), place.scene, place.task, place.lab))
+    assert found.task is not None
+    assert found.task.variants is None
+    assert [one.name for one in hand_places(found.scene)] == ["safe"]
+    assert found.sources.task is not None
+    assert "variants" not in found.sources.task.text
 
 
 def test_the_monitor_speaks_to_the_arm_of_the_lab(lab: Path) -> None:

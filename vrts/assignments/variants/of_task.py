@@ -48,6 +48,7 @@ from vrts.pipeline.refused import Refused
 from vrts.pipeline.setting import Setting
 from vrts.pipeline.settings import load_task
 from vrts.report.plain import one_line
+from vrts.scene.handling.withheld import all_locations
 
 START = "start.v2"
 
@@ -121,7 +122,8 @@ class VariedTask:
         if self.solution is None:
             return None
         there = setting or self.setting(combination)
-        return with_places(self.solution, self.base.scene.locations, there.scene.locations)
+        before, now = all_locations(self.base.scene), all_locations(there.scene)
+        return with_places(self.solution, before, now)
 
     def start(self, setting: Setting) -> bytes | None:
         """Return `start.v2` with the places of a variant that students are given; None: none."""
@@ -205,7 +207,7 @@ def load_varied(path: Path) -> VariedTask:
     sources = {
         word: SourceFile(shown(home / name), _text(every[name])) for word, name in names.items()
     }
-    found = (*path_findings(variants, sources), *name_findings(variants, base.scene.locations))
+    found = (*path_findings(variants, sources), *name_findings(variants, all_locations(base.scene)))
     if found:
         raise Refused(found)
     return VariedTask(files, variants, base, solution, sources, names)

@@ -31,7 +31,7 @@ def your_numbers(scene: Scene, tag: str, staff_names: Collection[str]) -> str:
     """
     bodies = [body for body in scene.bodies if body.name != "floor"]
     given = [name for name in scene.locations if name not in staff_names]
-    taught = [name for name in scene.locations if name in staff_names]
+    taught = scene.withheld or any(name in staff_names for name in scene.locations)
     lines = [
         HEADING,
         "",

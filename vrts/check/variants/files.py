@@ -4,7 +4,7 @@ A path begins with a word for the file that it is in: `task`, `scene`, `scenario
 """
 
 import tomllib
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from difflib import get_close_matches
 
 from vrts.base.diagnostic import Diagnostic, Label, Rule, error
@@ -12,10 +12,12 @@ from vrts.base.source import SourceFile, Span
 from vrts.base.toml.places import places
 from vrts.check.variants.edits import Edit, NoPath, edited, exact, find
 from vrts.check.variants.model import Combination, Variants
-from vrts.check.variants.section import SECTION, VALUES
+from vrts.check.variants.section import SECTION, VALUES, toml_text
+from vrts.scene.handling.withheld import KEY, may_be_worked_out
 
 PATH = Rule("V866", "variant-path")
 
+YOURS = "these places you find and teach yourself"
 TASK, SCENE, SCENARIO, STAFF = "task", "scene", "scenario", "staff"
 FILES = {
     TASK: "task.toml",
@@ -127,11 +129,19 @@ def cut(task: SourceFile) -> str:
 
 
 def without_names(scene: SourceFile, names: tuple[str, ...]) -> str:
-    """Return the text of a scene without its own locations of some names."""
-    return edited(scene, (), tuple(_named(scene, names)))
+    """Return the text of a scene without its own locations of some names.
 
-
-def _named(scene: SourceFile, names: tuple[str, ...]) -> Iterator[tuple[str, ...]]:
-    for name in tomllib.loads(scene.text).get("locations", {}):
-        if name.lower() in names:
-            yield ("locations", name)
+    What vrts would work out itself is withheld: it says so in the text.
+    """
+    fields = tomllib.loads(scene.text)
+    own = tuple(
+        ("locations", name) for name in fields.get("locations", {}) if name.lower() in names
+    )
+    before = fields.get(KEY, [])
+    known = [before] if isinstance(before, str) else before
+    more = [name for name in names if may_be_worked_out(name, fields.get("objects", {}))]
+    withheld = toml_text(list(dict.fromkeys([*known, *more])))
+    if KEY in fields:
+        return edited(scene, [Edit((KEY,), withheld)], own)
+    line = f"{KEY} = {withheld}  # {YOURS}\n" if more else ""
+    return line + edited(scene, (), own)

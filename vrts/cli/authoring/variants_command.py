@@ -56,7 +56,7 @@ def command(
     TASK is a folder or a zip with `[variants]` in its task.toml. OUTPUT/students has the zips: the
     files of `vrts task pack` for students, with the numbers of that variant. OUTPUT/variants.csv
     tells who has which, and is not for students. With Moodle's list, moodle-feedback.zip has them
-    all, for "Upload multiple feedback files in a zip".
+    all, for "Upload multiple feedback files in a zip". Canvas has nothing like it before hand-ins.
 
     A key decides which variant each gets. If there is none, it is made, and only its owner may read
     it. With another key everybody has another variant: keep a copy. Beside it KEY.handed.json tells
@@ -130,6 +130,8 @@ def command(
     out(f"{target / TABLE}: who has which; not for students")
     if handed.moodle is not None:
         out(f"{target / MOODLE}: all zips, to be uploaded as feedback files")
+    else:
+        say("note: attach each zip in SpeedGrader: Canvas takes feedback only for what it received")
 
 
 def _check_no_others(folder: Path, names: list[str]) -> None:

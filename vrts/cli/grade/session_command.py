@@ -108,6 +108,7 @@ def command(
     marker = SessionMarker(place, Wanted(not no_collisions, engine, bool(folder) and not no_pages))
     layout = None if folder is None else Layout(folder)
     about = _about(marker, given)
+    _say_as_written(marker)
     progress = Progress()
     with progress.interruptible("the same call goes on" if layout else "nothing is kept"):
         rows = _mark(
@@ -158,6 +159,11 @@ def _task(task: str | None, rooms: "Sequence[RoomSession]") -> Path:
     if not found:
         fail(f"the room had the scene `{scene}` without a task", ("name a task to mark by",))
     return Path(found)
+
+
+def _say_as_written(marker: "SessionMarker") -> None:
+    if marker.has_variants:
+        say("note: rooms had the task as it is written, and are marked by that, not by variants")
 
 
 def _about(marker: "SessionMarker", given: "Sequence[str]") -> "About":

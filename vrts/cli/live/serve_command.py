@@ -205,7 +205,7 @@ def command(
     except ModuleNotFoundError as missing:
         hint = "install them with `pip install 'vrts[live]'`"
         fail(f"the live server needs the package {missing.name}", (hint,), WRONG)
-    from vrts.live.places import places_of
+    from vrts.live.places import places_of, with_variants
     from vrts.live.settings import Settings
     from vrts.pipeline.files import read_bytes
 
@@ -223,6 +223,8 @@ def command(
         log_key=log_key,
         private_rooms=private_rooms,
     )
+    for name in with_variants(settings.places):
+        say(f"note: `{name}` has variants: rooms get it as it is written, the same for all")
     listening = Listening(host, port, tls_cert, tls_key, behind_proxy)
     try:
         serve(settings, listening, named, warn, with_code=not no_code)  # the ways in: its result

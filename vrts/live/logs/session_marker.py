@@ -16,6 +16,7 @@ from vrts.controllers.values import digest
 from vrts.live.logs.logged_sessions import LoggedSession
 from vrts.live.session.again.replay import Differs, replay_whole
 from vrts.live.session.channel.entries import Entry
+from vrts.live.session.setting import as_written
 from vrts.live.session.views.program import as_program
 from vrts.marking.proposer.by_name import ALONE, By
 from vrts.marking.result import Kind
@@ -58,6 +59,11 @@ class SessionMarker(Marker):
             hidden = self.whole.hidden - len(self.whole.variants)
             self.whole = replace(self.whole, variants=(), hidden=hidden)
             self.public = replace(self.public, more=hidden) if hidden else self.whole
+        task = self.whole.task
+        self.has_variants = task is not None and task.variants is not None  # rooms had none
+        same = self.public is self.whole
+        self.whole = as_written(self.whole)
+        self.public = self.whole if same else as_written(self.public)
 
     def command(self, order: Order, folder: Path) -> tuple[list[str], bytes]:
         """Return the same as a command, for systems where nothing is forked."""

@@ -1,10 +1,13 @@
 """Scene and task of a session."""
 
 import hashlib
+from dataclasses import replace
 from pathlib import Path
 
 import msgspec
 
+from vrts.base.source import SourceFile
+from vrts.check.variants.files import cut
 from vrts.controllers.models import MODELS
 from vrts.live.session.channel.messages import Start
 from vrts.pipeline.alone import robot_alone
@@ -13,6 +16,7 @@ from vrts.pipeline.scenes import load_scene
 from vrts.pipeline.setting import Setting
 from vrts.pipeline.settings import load_task
 from vrts.report.page.viewer_data import scene_data
+from vrts.scene.handling.withheld import withholding
 
 
 def setting_of(start: Start) -> Setting:
@@ -33,10 +37,25 @@ def scene_sha256(setting: Setting) -> str:
     return hashlib.sha256(msgspec.json.encode(drawn)).hexdigest()
 
 
+def as_written(setting: Setting) -> Setting:
+    """Return a task with `[variants]` as those have it who get it as it is written.
+
+    Nothing of the variants is left in it, and what students are to find is withheld.
+    """
+    task = setting.task
+    if task is None or task.variants is None:
+        return setting
+    sources, own = setting.sources, setting.sources.task
+    if own is not None:
+        sources = sources._replace(task=SourceFile(own.name, cut(own)))
+    scene = withholding(setting.scene, task.variants.staff_names)
+    return replace(setting, scene=scene, task=replace(task, variants=None), sources=sources)
+
+
 def _setting_of(start: Start) -> Setting:
     lab = Path(start.lab) if start.lab else None
     if start.task:
-        return load_task(Path(start.task), start.scene or None, lab=lab)
+        return as_written(load_task(Path(start.task), start.scene or None, lab=lab))
     if start.scene:
         return load_scene(start.scene, lab=lab)
     return robot_alone()

@@ -17,6 +17,7 @@ from vrts.marking.result import OfVariant, Result
 from vrts.marking.submission.marker import Marks
 from vrts.marking.variants.class_list import shown_names
 from vrts.marking.variants.of_class import MarkerOfClass
+from vrts.scene.handling.withheld import all_locations
 
 NOBODY = "it is by nobody in the list of the class: marked by the task as it is written"
 
@@ -115,7 +116,7 @@ def _by_values(
 def places_of(marker: MarkerOfClass, tag: str) -> dict[str, Values]:
     """Return the locations of the scene of a variant, as programs show them."""
     scene = marker.by(tag).whole.scene
-    return {name: shown(X_WT) for name, X_WT in scene.locations.items()}
+    return {name: shown(X_WT) for name, X_WT in all_locations(scene).items()}
 
 
 def with_doubt(done: Done, doubts: Mapping[str, str], layout: Layout | None) -> Done:

@@ -44,6 +44,8 @@ def scene_text(scene: Scene, tried: Sequence[str] = ()) -> str:
     ]
     if scene.locations:
         lines += ["", HOW_TO_USE + location_block(scene.locations).rstrip("\n")]
+    if scene.withheld:
+        lines += ["", f"You find and teach yourself: {', '.join(map(one_line, scene.withheld))}"]
     if tried:
         lines += ["", *map(one_line, tried)]
     return plain_text("\n".join(lines))

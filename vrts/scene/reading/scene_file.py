@@ -21,6 +21,7 @@ from vrts.robots.timed import timed
 from vrts.scene.colors import NAMED, Color, color
 from vrts.scene.default import floor_body
 from vrts.scene.handling.places import check_given, find_places
+from vrts.scene.handling.withheld import check_withheld, read_withheld, withholding
 from vrts.scene.model import Body, Mobility, Scene
 from vrts.scene.reading.controller_section import read_controller
 from vrts.scene.reading.files import SceneFolder
@@ -121,6 +122,7 @@ def _scene(top: Table, folder: SceneFolder, problems: Problems, named: str | Non
     model = read_controller(lab.controller_over(top.table("controller")))
     sections = lab.objects_over(top.named_tables("objects"))
     locations_section = top.table("locations")
+    withheld = read_withheld(top)
     top.finish()
     drafts: dict[str, Draft] = {}
     for object_name, section in sections:
@@ -158,7 +160,10 @@ def _scene(top: Table, folder: SceneFolder, problems: Problems, named: str | Non
         following = dict(read_following(locations_section, places, X_WS))
         check_given(scene, following, locations_section, problems)
         places.update(following)
-    return None if problems.any_error else replace(scene, locations=places)
+    check_withheld(top, withheld, places, declared)
+    if problems.any_error:
+        return None
+    return withholding(replace(scene, locations=places), withheld)
 
 
 def _digest(source: SourceFile, folder: SceneFolder) -> str:

@@ -8,6 +8,9 @@ from pathlib import Path
 import pytest
 
 from tests.places import ROOT
+from vrts.assignments.new_files import new_program
+from vrts.assignments.packed import load_zip
+from vrts.assignments.suggested import suggested
 from vrts.assignments.variants.handed_out import HandedOut, handed_out, pictures_of, tags_in
 from vrts.assignments.variants.key import NAME, key_made, key_of, place_of_handed
 from vrts.assignments.variants.of_task import VariedTask, load_varied
@@ -92,6 +95,10 @@ def test_what_a_student_gets_is_a_task_that_others_read(varied: VariedTask, tmp_
     path.write_bytes(found.data)
     with pytest.raises(CannotRead, match="has no variants"):
         load_varied(path)
+    own = load_zip(path)
+    assert set(own.scene.locations) == {"safe"}
+    assert set(suggested(own).locations) == {"safe"}
+    assert "_grip   " not in new_program("vrts verify mine.v2", own.scene)
     program = varied.reference(variant.combination)
     assert program is not None
     a = assess(Request(ProgramFile(program, "r.v2"), varied.setting(variant.combination)))

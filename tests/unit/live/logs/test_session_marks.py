@@ -179,3 +179,15 @@ def test_a_session_marked_in_a_process_of_its_own_has_the_same_mark(tmp_path: Pa
     mine, other = (msgspec.json.decode(data) for data in (marker.work(order, here), done.stdout))
     assert mine["staff"] == other["staff"]
     assert mine["staff"]["mark"] is not None
+
+
+def test_sessions_with_a_task_that_has_variants_are_marked_as_it_is_written(tmp_path: Path) -> None:
+    lab = Path("examples/08-own-numbers/lab1")
+    marker = SessionMarker(Place(str(lab)), Wanted(pages=False))
+    for setting in (marker.whole, marker.public):
+        assert setting.task is not None
+        assert setting.task.variants is None
+        assert set(setting.scene.locations) == {"safe"}
+    database(tmp_path / "class.sqlite", {"Empty": []})
+    _, said = graded(str(lab), "--session", str(tmp_path / "class.sqlite"))
+    assert "as it is written" in said
