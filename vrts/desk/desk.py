@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import msgspec
 
-from vrts.desk.adding.asked import Body, Rests, completed, records_of, rests_on
+from vrts.desk.adding.asked import Body, Rests, completed, records_of, require_seen, rests_on
 from vrts.desk.adding.facts import Facts, Remembered, changed_rows, facts_of
 from vrts.desk.adding.one_at_a_time import one_at_a_time
 from vrts.desk.book.book import Book
@@ -80,6 +80,7 @@ class Desk:
             if shown is None:
                 raise Moved("the page shows what was long ago: load it again")
             _require_still(rests_on(asked), shown, facts_of(before.book))
+            require_seen(asked, before.book.seen.hidden)
             said = completed(asked, shown)
             now = datetime.fromtimestamp(wall(), UTC).astimezone()
             total = before.book.rows.total

@@ -46,4 +46,5 @@ def is_behind(book: Book) -> bool:
     return bool(pending(book.opened.layout)) or any(
         (row.decided, row.final) != (written[row.id].decided, written[row.id].final)
         for row in book.rows.rows
+        if row.id not in book.seen.alone  # of which not all is seen here
     )

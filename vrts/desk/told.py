@@ -26,7 +26,7 @@ class Looked(Struct, frozen=True):
 
     who: str
     mark: float | None
-    stale: bool  # another program has been marked since
+    stale: bool  # another program was marked since, or another mark would be given now
 
 
 class RowTold(Struct, frozen=True):
@@ -59,6 +59,9 @@ class RowTold(Struct, frozen=True):
     order: int
     why_next: str
     set_by: tuple[str, ...] = ()  # whose marks by hand take the place of the computed one: ids
+    own: float | None = None  # what whoever asks would give alone; else the final mark
+    alone: bool = False  # whether what other graders think of it is hidden
+    otherwise: str = ""  # that all finished with one mark which is not the final one
 
 
 class ItemTold(Struct, frozen=True):

@@ -1,5 +1,6 @@
 """What graders decided, as the page is told it."""
 
+from vrts.desk.book.alone import seen_by
 from vrts.desk.book.decided import Decided, told_of
 from vrts.marking.by_hand.decisions.graders import Grader
 from vrts.marking.by_hand.decisions.ledger import Filed, Ledger
@@ -22,7 +23,8 @@ def told(me: str, *said: tuple[str, Decision]) -> Decided:
     names = {"huber": "R. Huber", "mayr": "S. Mayr"}
     records = tuple(Filed(f"{who}:{one.number}", who, names[who], one) for who, one in said)
     ledger = Ledger(tuple(Grader(*pair) for pair in names.items()), records)
-    return told_of(ledger, state_of(ledger, PROGRAMS), PROGRAMS, me)
+    seen = seen_by(ledger, me, PROGRAMS).ledger
+    return told_of(seen, state_of(seen, PROGRAMS), PROGRAMS, me)
 
 
 def test_who_marks_by_themselves_sees_no_mark_of_the_other_before_finishing() -> None:

@@ -83,6 +83,25 @@ def rests_on(records: tuple[Decision, ...]) -> Rests:
     return Rests(tuple(students), tuple(items), tuple(named))
 
 
+def require_seen(records: tuple[Decision, ...], hidden: frozenset[str]) -> None:
+    """Check that nothing is undone of which the grader sees only a part.
+
+    Args:
+        records: As the page sent them.
+        hidden: Names of records of which something is left out.
+
+    Raises:
+        Refused: One of them would be undone for rows that the grader marks alone, too.
+    """
+    for one in records:
+        found = hidden & set(one.records) if isinstance(one, Undo) else set[str]()
+        if found:
+            raise _wrong(
+                f"{min(found)} is also about a row that is yours to mark alone",
+                "undo it when all have finished that row, or let its grader undo it",
+            )
+
+
 def completed(records: tuple[Decision, ...], shown: Facts) -> tuple[Decision, ...]:
     """Return records that say about which programs, and which version of an item, they are.
 

@@ -5,11 +5,15 @@ from functools import cached_property
 
 from msgspec.structs import replace
 
+from vrts.desk.book.alone import Seen
 from vrts.desk.book.decided import Decided
 from vrts.desk.book.opened import Opened
 from vrts.desk.told import Attempt, Likeness
+from vrts.marking.by_hand.decisions.ledger import NONE
 from vrts.marking.result import Result
 from vrts.marking.row import Class, Row
+
+ALL = Seen(NONE)  # nothing is hidden
 
 
 class Book:
@@ -23,6 +27,7 @@ class Book:
         likeness: Mapping[str, Likeness],
         attempts: Mapping[str, tuple[Attempt, ...]],
         problems: tuple[str, ...] = (),
+        seen: Seen = ALL,
     ) -> None:
         """Take what was read.
 
@@ -33,6 +38,7 @@ class Book:
             likeness: By id.
             attempts: By id, of those who handed in several times.
             problems: What could not be read, in sentences.
+            seen: What of the decisions whoever looks may see; `rows` and `decided` are of that.
         """
         self.opened = opened
         self.rows = rows
@@ -40,6 +46,7 @@ class Book:
         self.likeness = likeness
         self.attempts = attempts
         self.problems = problems
+        self.seen = seen
 
     @cached_property
     def by_id(self) -> Mapping[str, Row]:

@@ -1,7 +1,7 @@
 """What graders have decided, by student: as the page shows it."""
 
 from collections import defaultdict
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from fractions import Fraction
 from types import MappingProxyType
 from typing import NamedTuple
@@ -47,6 +47,7 @@ class Mine(NamedTuple):
     excused: bool = False
     conflict: bool = False
     set_by: tuple[str, ...] = ()  # whose marks by hand take the place of it, ids
+    otherwise: str = ""  # that all finished with one mark which is not the final one
 
 
 class Decided(NamedTuple):
@@ -56,6 +57,7 @@ class Decided(NamedTuple):
     items: tuple[ItemTold, ...] = ()
     conflicts: tuple[ConflictTold, ...] = ()
     graders: tuple[GraderTold, ...] = ()
+    alone: Mapping[str, float | None] = MappingProxyType({})  # marks that whoever looks would give
 
     def of(self, student: str) -> Mine:
         """Return what was decided about a student."""
@@ -69,7 +71,7 @@ def told_of(ledger: Ledger, state: State, programs: Mapping[str, str], me: str) 
     """Return what graders decided as the page shows it.
 
     Args:
-        ledger: All records.
+        ledger: The records that whoever looks may see.
         state: What they come to.
         programs: By id of the class, sha256 of the program that is marked now, or `none`.
         me: Id of whoever looks.
@@ -102,10 +104,6 @@ def told_of(ledger: Ledger, state: State, programs: Mapping[str, str], me: str) 
 def _mine(found: OfStudent, history: tuple[HistoryTold, ...], program: str, me: str) -> Mine:
     due = found.extension[0].said if found.extension else None
     looked = tuple(_looked(one, program) for one in found.finished)
-    if _alone(found, looked, me):
-        theirs = {one.name for one in found.finished if one.grader != me}
-        looked = tuple(one for one in looked if one.who == me)
-        history = tuple(one for one in history if one.record not in theirs)
     comments = (*found.comments, *found.lapsed)
     return Mine(
         tuple(_comment(one, program, me) for one in comments if isinstance(one.said, Comment)),
@@ -125,12 +123,6 @@ def _mine(found: OfStudent, history: tuple[HistoryTold, ...], program: str, me: 
             )
         ),
     )
-
-
-def _alone(found: OfStudent, looked: Iterable[Looked], me: str) -> bool:
-    """Return whether somebody is to mark by themselves, and has not: others' marks stay hidden."""
-    double = len(found.assigned) > 1 and me in found.assigned
-    return double and not any(one.who == me and not one.stale for one in looked)
 
 
 def _comment(one: Filed, program: str, me: str) -> CommentTold:

@@ -78,7 +78,13 @@ class Shelf:
         last, told = self._book, (f"what is shown may be old: {problem}",)
         if last.problems != told:
             self._book = Book(
-                last.opened, last.rows, last.decided, last.likeness, last.attempts, told
+                last.opened,
+                last.rows,
+                last.decided,
+                last.likeness,
+                last.attempts,
+                told,
+                last.seen,
             )
 
     def seen_by(self, me: str) -> None:
@@ -89,10 +95,10 @@ class Shelf:
 
     def _decided(self) -> Book:
         opened: Opened = self._opened
-        rows, decided, told = decide(opened, self._me)
+        rows, decided, told, seen = decide(opened, self._me)
         said = (self._said,) if self._said else ()
         problems = (*told, *said)
-        return Book(opened, rows, decided, self._likeness, self._attempts, problems)
+        return Book(opened, rows, decided, self._likeness, self._attempts, problems, seen)
 
     def _read_likeness(self) -> None:
         self._said, self._likeness = "", {}

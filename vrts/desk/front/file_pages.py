@@ -1,5 +1,7 @@
 """Files of the marking, as it wrote them: reports, and what is alike.
 
+What a grader must not see yet of other graders is taken out of a report before it is sent.
+
 No path is made of an address: a student is looked up in the class, and a name in a fixed list.
 """
 
@@ -13,6 +15,7 @@ from starlette.responses import Response
 
 from vrts.desk.desk import Desk
 from vrts.desk.front.answers import refusal
+from vrts.marking.renewing.renewed import page_about
 from vrts.marking.submission.report_files import REPORT
 
 HTML: Final = "text/html; charset=utf-8"
@@ -29,11 +32,11 @@ class FilePages:
 
     async def staff_report(self, request: Request) -> Response:
         """Return the report for those who mark."""
-        return await asyncio.to_thread(self._report, request, staff=True)
+        return await asyncio.to_thread(self.report, *_asked(request), staff=True)
 
     async def sent_report(self, request: Request) -> Response:
         """Return the report that the student gets."""
-        return await asyncio.to_thread(self._report, request, staff=False)
+        return await asyncio.to_thread(self.report, *_asked(request), staff=False)
 
     async def alike(self, request: Request) -> Response:
         """Return a page of what is alike."""
@@ -43,22 +46,40 @@ class FilePages:
         book = (await asyncio.to_thread(self._desk.now)).book
         return await asyncio.to_thread(_file, book.opened.layout.staff / name)
 
-    def _report(self, request: Request, *, staff: bool) -> Response:
+    def report(self, student: str, name: str, *, staff: bool) -> Response:
+        """Return a report as the grader at the desk may see it.
+
+        Args:
+            student: Id.
+            name: Of the file.
+            staff: Whether it is that for those who mark.
+        """
         book = self._desk.now().book
-        row = book.by_id.get(request.path_params["student"])
-        if row is None or request.path_params["name"] != REPORT:
+        row = book.by_id.get(student)
+        if row is None or name != REPORT:
             return _nothing()
         layout = book.opened.layout
-        return _file((layout.grader(row.id) if staff else layout.student(row.id)) / REPORT)
+        found = _file((layout.grader(row.id) if staff else layout.student(row.id)) / REPORT)
+        if row.id in book.seen.alone and found.status_code == 200:
+            return _page(page_about(bytes(found.body), row, staff=staff))
+        return found
+
+
+def _asked(request: Request) -> tuple[str, str]:
+    return request.path_params["student"], request.path_params["name"]
 
 
 def _file(place: Path) -> Response:
     try:
         if place.is_symlink() or not place.is_file() or place.stat().st_size > LARGEST:
             return _nothing()
-        return Response(place.read_bytes(), media_type=HTML, headers={"cache-control": "no-store"})
+        return _page(place.read_bytes())
     except OSError:  # it went meanwhile: a marking replaces it
         return _nothing()
+
+
+def _page(data: bytes) -> Response:
+    return Response(data, media_type=HTML, headers={"cache-control": "no-store"})
 
 
 def _nothing() -> Response:

@@ -61,6 +61,9 @@ def _row(book: Book, row: Row, place: Place) -> RowTold:
         place.order,
         place.why,
         mine.set_by,
+        book.decided.alone.get(row.id, row.final),
+        row.id in book.seen.alone,
+        mine.otherwise,
     )
 
 

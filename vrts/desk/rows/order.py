@@ -54,6 +54,8 @@ def _place(
     if row.unsafe:
         reason = row.unsafe[0].reason.value
         return UNSAFE, _URGENT.get(reason, 0), "", f"unsafe: {reason}"
+    if mine.otherwise:
+        return UNSAFE, len(_URGENT), "", "graders agree on another mark"
     if any(one.who == me and not one.stale for one in mine.finished):
         return DONE, 0, "", "finished"
     if me in mine.assigned:

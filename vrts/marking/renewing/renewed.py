@@ -190,10 +190,15 @@ def write_sections(
             if place.is_symlink() or not place.is_file():
                 continue
             page = place.read_bytes()
-            decided = row.decided if staff else for_student(row)
-            after = with_section(page, decided, staff=staff, final=_final(row))
+            after = page_about(page, row, staff=staff)
             if after != page:
                 write_atomically(place, after)
+
+
+def page_about(page: bytes, row: Row, *, staff: bool) -> bytes:
+    """Return a page about a row with what is decided about it, and nothing else of graders."""
+    decided = row.decided if staff else for_student(row)
+    return with_section(page, decided, staff=staff, final=_final(row))
 
 
 def _final(row: Row) -> str:

@@ -8,7 +8,7 @@
  * @typedef {{id: string, name: string, final: number | null, computed: number | null, total: number, kind: string, unsafe: Doubt[], ready: boolean | null,
  *   cause: string | null, line: number | null, time_s: number | null, causes: string[], late: string, deduction: number, due: string | null,
  *   likeness: Likeness | null, assigned: string[], finished: Finished[], comments: number, items: string[], change: string | number | null,
- *   excused: boolean | string | null, conflict: boolean | string | null, report: boolean, order: number, why_next: string, set_by?: string[], pending?: boolean}} Row
+ *   excused: boolean | string | null, conflict: boolean | string | null, report: boolean, order: number, why_next: string, set_by?: string[], own?: number | null, alone?: boolean, otherwise?: string, pending?: boolean}} Row
  */
 
 /** @typedef {{id: string, title: string, points: number | string, version: string, students: string[], withdrawn: boolean}} Item */

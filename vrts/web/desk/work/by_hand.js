@@ -146,7 +146,7 @@ export async function finish(desk) {
     desk.notes.done(`You have finished ${row.name} already.`);
     return;
   }
-  const value = amount(row.final);
+  const value = amount(row.own === undefined ? row.final : row.own);
   const done = desk.act([{ does: "finish", student: row.id, mark: value === null ? null : exact(value) }], `Finished ${row.name} with ${mark(value)}`,
     [{ ...row, finished: [...row.finished.filter((one) => one.who !== desk.me), { who: desk.me, mark: value, stale: false }] }]);
   desk.next();

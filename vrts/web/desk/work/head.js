@@ -52,6 +52,8 @@ export class Head {
     const { desk } = this;
     /** @type {HTMLElement[]} */
     const tags = [];
+    if (row.alone) tags.push(tag("on your own", "", "What other graders think of this is hidden until all have finished it"));
+    if (row.otherwise) tags.push(tag("agreed otherwise", "bad", row.otherwise));
     if (row.conflict) tags.push(button("Conflict", () => desk.show("conflicts"), { class: "tag bad" }));
     for (const doubt of row.unsafe) if (doubt.reason !== "conflict") tags.push(tag(doubt.reason, "review", doubt.sentence));
     if (row.late) tags.push(tag(row.deduction ? `late, −${row.deduction}` : "late", "", row.late));

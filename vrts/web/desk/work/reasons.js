@@ -45,8 +45,9 @@ export class Reasons {
 
   /** @param {import("../types.js").Detail} detail */
   doubts(detail) {
-    if (!detail.row.unsafe.length) return [];
-    return [make("div", { class: "doubts" }, make("h3", { text: "This mark is unsafe" }),
+    const agreed = detail.row.otherwise ? [make("div", { class: "doubts" }, make("h3", { text: "Graders agree on another mark" }), make("p", { text: detail.row.otherwise }))] : [];
+    if (!detail.row.unsafe.length) return agreed;
+    return [...agreed, make("div", { class: "doubts" }, make("h3", { text: "This mark is unsafe" }),
       make("ul", {}, ...detail.row.unsafe.map((doubt) => make("li", {}, make("b", { text: doubt.reason }), " ", ...prose(doubt.sentence)))))];
   }
 
