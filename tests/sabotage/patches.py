@@ -57,6 +57,13 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/desk/test_desk_server.py",),
     ),
     Patch(
+        "who marks a row alone sees what the other graders gave",
+        "vrts/desk/book/alone.py",
+        "        case Give() | ChangeMark():",
+        "        case ChangeMark():",
+        ("tests/unit/desk/test_alone.py",),
+    ),
+    Patch(
         "whoever is on this machine comes to the desk",
         "vrts/desk/front/door.py",
         "    return len(given) <= LONGEST and hmac.compare_digest(given.encode(), right.encode())",

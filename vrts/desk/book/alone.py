@@ -112,7 +112,7 @@ def _without(
     one: Filed,
     students: Collection[str],
     whose: Mapping[str, tuple[str, ...]],
-    opinions: Collection[str],
+    opinions: set[str],
 ) -> Filed | None:
     """Return a record without some students; None where nothing is left of it."""
     said = one.said

@@ -2,7 +2,7 @@
 
 import { cancel, get, listen, NotDone, post } from "./api.js";
 import { everything, nextOpen, shown } from "./filters.js";
-import { counted } from "./words.js";
+import { after, counted } from "./words.js";
 
 /** @typedef {import("./types.js").Row} Row */
 /** @typedef {import("./types.js").Said} Said */
@@ -214,7 +214,7 @@ export class Desk {
    */
   act(records, words, guesses = [], kept = true) {
     const before = guesses.flatMap((row) => this.rows.get(row.id) ?? []);
-    for (const row of guesses) this.rows.set(row.id, { ...row, pending: true });
+    for (const row of guesses) this.rows.set(row.id, { ...row, own: likely(this.rows.get(row.id), row), pending: true });
     if (guesses.length) this.tell("class");
     const written = this.queue.then(() => this.write(records, words, before, kept));
     this.queue = written;
@@ -298,6 +298,12 @@ export class Desk {
 /** Return a row that has a name: with pseudonyms its id. @param {Row} row */
 function named(row) {
   return row.name ? row : { ...row, name: row.id };
+}
+
+/** Return what whoever is here would likely give alone, when the mark is likely another one. @param {Row | undefined} was @param {Row} row */
+function likely(was, row) {
+  if (!was || was.own === undefined || was.own === was.final) return row.final;
+  return was.own === null || was.final === null || row.final === null ? was.own : after(was.own, row.final - was.final, row.total);
 }
 
 /** @param {string} text */
