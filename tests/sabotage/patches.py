@@ -36,6 +36,13 @@ __all__ = ["PATCHES", "Patch"]
 
 PATCHES: tuple[Patch, ...] = (
     Patch(
+        "students are told places that they are to find",
+        "vrts/scene/handling/withheld.py",
+        "if name not in withheld}",
+        "}",
+        ("tests/unit/scene/reading/test_withheld.py",),
+    ),
+    Patch(
         "a mesh that stands a millimetre out of its pieces counts as held by them",
         "vrts/scene/meshes/covering.py",
         "    crossing = np.nonzero(outside.min(axis=0) > ROUNDING)[0]",

@@ -4,17 +4,9 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from vrts.base.safe_names import safe
-from vrts.base.toml.reading import read_toml
-from vrts.check.variants.section import SECTION
+from vrts.live.session.setting import has_variants
 from vrts.live.settings import Place
-from vrts.pipeline.files import (
-    SCENE_FILE,
-    TASK_FILE,
-    CannotRead,
-    asked_scene,
-    find_example,
-    read_toml_source,
-)
+from vrts.pipeline.files import SCENE_FILE, TASK_FILE, CannotRead, asked_scene, find_example
 
 
 def places_of(names: Sequence[str], lab: Path | None = None) -> tuple[Place, ...]:
@@ -44,9 +36,7 @@ def with_variants(places: Sequence[Place]) -> tuple[str, ...]:
     Raises:
         CannotRead: A task cannot be read.
     """
-    tasks = [place for place in places if place.task]
-    tops = [(place.id, read_toml(read_toml_source(Path(place.task)))[0]) for place in tasks]
-    return tuple(name for name, top in tops if top is not None and SECTION in top)
+    return tuple(place.id for place in places if place.task and has_variants(Path(place.task)))
 
 
 def _place(name: str) -> Place:

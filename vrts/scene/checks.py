@@ -11,6 +11,7 @@ from vrts.base.diagnostic import Diagnostic, Label, Rule, Severity
 from vrts.base.units import mm
 from vrts.scene.handling.holds import holds
 from vrts.scene.handling.places import NO_PLACE
+from vrts.scene.handling.withheld import all_locations
 from vrts.scene.model import Body, Mobility, Scene
 from vrts.scene.reach import obstacle, reach
 from vrts.scene.standing import DEEPEST, find_support, must_stand
@@ -28,7 +29,7 @@ def scene_findings(scene: Scene) -> tuple[Diagnostic, ...]:
     """
     away = [_away(scene, body) for body in scene.bodies if body.mobility is Mobility.MOVABLE]
     floating = [_floating(body) for body in scene.bodies if _floats(scene, body)]
-    inside = [_inside(scene, name) for name in scene.locations]
+    inside = [_inside(scene, name) for name in all_locations(scene)]
     return (*filter(None, away), *floating, *filter(None, inside))
 
 
@@ -47,7 +48,7 @@ def _away(scene: Scene, body: Body) -> Diagnostic | None:
     gripper = scene.robot.gripper
     X_PF = gripper.X_FP.inverse()
     poses = [body.X_WO @ X_OP @ X_PF for X_OP in holds(gripper, body)]
-    own = scene.locations.get(f"{body.name}_grip".lower())
+    own = all_locations(scene).get(f"{body.name}_grip".lower())
     poses += [] if own is None else [own @ scene.X_FT.inverse()]
     if not poses or any(obstacle(scene.robot, X_WF) is None for X_WF in poses):
         return None
@@ -82,7 +83,7 @@ def _floating(body: Body) -> Diagnostic:
 
 def _inside(scene: Scene, name: str) -> Diagnostic | None:
     """Return a warning if the open hand at a location is inside a body."""
-    near = reach(scene, scene.locations[name]).nearest
+    near = reach(scene, all_locations(scene)[name]).nearest
     if near is None or near.clearance >= -DEEPEST:
         return None
     return Diagnostic(

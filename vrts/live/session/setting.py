@@ -6,17 +6,24 @@ from pathlib import Path
 
 import msgspec
 
+from vrts.base.diagnostic import error
 from vrts.base.source import SourceFile
+from vrts.base.toml.reading import read_toml
 from vrts.check.variants.files import cut
+from vrts.check.variants.section import SECTION, VALUES
 from vrts.controllers.models import MODELS
 from vrts.live.session.channel.messages import Start
 from vrts.pipeline.alone import robot_alone
 from vrts.pipeline.controllers import under
+from vrts.pipeline.files import read_toml_source
+from vrts.pipeline.refused import Refused
 from vrts.pipeline.scenes import load_scene
 from vrts.pipeline.setting import Setting
 from vrts.pipeline.settings import load_task
 from vrts.report.page.viewer_data import scene_data
 from vrts.scene.handling.withheld import withholding
+
+UNTOLD = "the task has errors: `vrts task check` tells which"  # and nothing of its variants
 
 
 def setting_of(start: Start) -> Setting:
@@ -37,6 +44,17 @@ def scene_sha256(setting: Setting) -> str:
     return hashlib.sha256(msgspec.json.encode(drawn)).hexdigest()
 
 
+def has_variants(task: Path) -> bool:
+    """Return whether a task, whatever else is wrong with it, has `[variants]`.
+
+    Raises:
+        CannotRead: It is not there.
+    """
+    source = read_toml_source(task)
+    top, _ = read_toml(source)
+    return SECTION in source.text if top is None else SECTION in top
+
+
 def as_written(setting: Setting) -> Setting:
     """Return a task with `[variants]` as those have it who get it as it is written.
 
@@ -55,7 +73,13 @@ def as_written(setting: Setting) -> Setting:
 def _setting_of(start: Start) -> Setting:
     lab = Path(start.lab) if start.lab else None
     if start.task:
-        return as_written(load_task(Path(start.task), start.scene or None, lab=lab))
+        task = Path(start.task)
+        try:
+            return as_written(load_task(task, start.scene or None, lab=lab))
+        except Refused as refused:
+            if not has_variants(task):
+                raise
+            raise Refused((error(VALUES, UNTOLD),)) from refused  # words are shown in the room
     if start.scene:
         return load_scene(start.scene, lab=lab)
     return robot_alone()
