@@ -2,19 +2,20 @@
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
+from datetime import datetime
 from fractions import Fraction
 
 from vrts.base.diagnostic import Diagnostic, Rule, warning
 from vrts.check.task.late_rules import LateRules
 from vrts.marking.intake.candidate import data_of
-from vrts.marking.intake.row import Attempt
+from vrts.marking.intake.row import Attempt, Tried
 from vrts.marking.intake.row import Kind as Problem
 from vrts.marking.intake.row import Row as Found
 from vrts.marking.intake.tree.opening import Tree, Unreadable
 from vrts.marking.lateness import Marks, best, in_row, lateness, marks
 from vrts.marking.marking import Done, Entry
 from vrts.marking.result import Kind, Result
-from vrts.marking.row import BEST_OF, HandedIn, Lateness, Row, Student, row_of
+from vrts.marking.row import BEST_OF, HandedIn, Lateness, MarkedAttempt, Row, Student, row_of
 from vrts.marking.unsafe import WITHOUT_MARK, Doubt, Reason
 
 KINDS = {
@@ -81,6 +82,7 @@ def with_best_attempts(
             why=why,
             problem=None,
             doubts=tuple(_doubts(row, [results[name] for name in names], number, rules)),
+            tried=tuple(Tried(*tried[name][1], results[name].mark) for name in names),
         )
     return tuple(chosen.get(row.identifier, row) for row in found)
 
@@ -137,13 +139,18 @@ def class_row(found: Found, result: Result, rules: LateRules | None) -> Row:
         HandedIn(
             found.file or "",
             found.why,
-            None if received is None else received.isoformat(),
+            _iso(received),
             found.attempt,
             found.doubts,
-            None if by is None else by.isoformat(),
+            _iso(by),
+            tuple(MarkedAttempt(one.file, _iso(one.received), one.mark) for one in found.tried),
         ),
         _late(found, result, rules),
     )
+
+
+def _iso(when: datetime | None) -> str | None:
+    return None if when is None else when.isoformat()
 
 
 def nothing_late(rules: LateRules | None, found: Sequence[Found]) -> tuple[Diagnostic, ...]:

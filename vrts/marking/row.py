@@ -28,6 +28,14 @@ class Student(Record, frozen=True):
     ids: Annotated[dict[str, str], Meta(description="by platform")] = field(default_factory=dict)
 
 
+class MarkedAttempt(Record, frozen=True):
+    """One of several hand-ins, which were all marked, as the best of them counts."""
+
+    file: Annotated[str, Meta(description="as the file that counts is called")]
+    received: Annotated[str | None, Meta(description="ISO 8601, by the platform")] = None
+    mark: Annotated[Mark | None, Meta(description="as computed, before lateness")] = None
+
+
 class HandedIn(Record, frozen=True):
     """What was handed in, and why it is the one that was marked."""
 
@@ -41,6 +49,10 @@ class HandedIn(Record, frozen=True):
     due: Annotated[
         str | None, Meta(description="own deadline by which it was chosen, ISO 8601; null: none")
     ] = None
+    attempts: Annotated[
+        tuple[MarkedAttempt, ...],
+        Meta(description="in order, where the best of several counts; none: not all were marked"),
+    ] = ()
 
 
 class Lateness(Record, frozen=True):

@@ -17,7 +17,7 @@ from vrts.desk.figures.statistics import statistics
 from vrts.desk.rows.causes import causes_of
 from vrts.desk.told import Attempt, Looked
 from vrts.marking.layout import Layout
-from vrts.marking.row import Class, Row
+from vrts.marking.row import Class, MarkedAttempt, Row
 
 NO_DECISIONS = Decided()
 
@@ -89,6 +89,25 @@ def test_graders_attempts_and_double_marking() -> None:
         ("mayr", 1, 2, 7.75),
     ]
     assert [(one.student, one.difference) for one in found.double] == [("b", 1.5)]
+
+
+def test_progress_is_by_number_of_the_attempt_where_all_were_marked() -> None:
+    def tried(name: str, *marks: float | None) -> Row:
+        row = plain_row(name, mark=marks[-1] or 0.0)
+        told = tuple(MarkedAttempt(f"{name}{k}.v2", None, mark) for k, mark in enumerate(marks))
+        return replace(row, handed_in=replace(row.handed_in, attempts=told))
+
+    rows = [tried("a", 2.0, 5.0, 9.0), tried("b", 4.0, None, 7.0), plain_row("c", mark=9.0)]
+    book = book_of([*rows, tried("d", 0.0, 0.0)], Decided({"d": Mine(excused=True)}))
+    found = statistics(book, ()).progress
+    assert [(one.number, one.count, one.mean, one.median) for one in found] == [
+        (1, 3, 5.0, 4.0),
+        (2, 1, 5.0, 5.0),
+        (3, 2, 8.0, 8.0),
+    ]
+    told = [(one.file, one.mark) for one in book.attempts_of(rows[0])]
+    assert told == [("a0.v2", 2.0), ("a1.v2", 5.0), ("a2.v2", 9.0)]
+    assert statistics(book_of([plain_row("a", mark=4.0)], a=3), ()).progress == ()
 
 
 def test_nobody_has_statistics_of_nobody() -> None:

@@ -54,7 +54,10 @@ class Book:
         return {row.id: row for row in self.rows.rows}
 
     def attempts_of(self, row: Row) -> tuple[Attempt, ...]:
-        """Return what a student handed in, with the mark where it was marked."""
+        """Return what a student handed in, with the computed mark where it was marked."""
+        if row.handed_in.attempts:
+            told = row.handed_in.attempts
+            return tuple(Attempt(one.received, one.mark, one.file) for one in told)
         file = row.handed_in.file
         if not file:
             return ()

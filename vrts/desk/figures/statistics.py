@@ -41,6 +41,7 @@ def statistics(book: Book, causes: Sequence[CauseTold]) -> Statistics:
         tuple(_checks(rows)),
         tuple(causes[:MOST_CAUSES]),
         tuple(_attempts(book)),
+        tuple(_progress(book)),
         tuple(_graders(book)),
         tuple(_double(book)),
     )
@@ -83,6 +84,23 @@ def _attempts(book: Book) -> Iterable[AttemptFigures]:
         if row.final is None or _excused(book, row) or not row.handed_in.file:
             continue
         found[len(book.attempts_of(row))].append(row.final)
+    for number in sorted(found):
+        marks = found[number]
+        yield AttemptFigures(number, len(marks), _mean(marks), _median(marks))
+
+
+def _progress(book: Book) -> Iterable[AttemptFigures]:
+    """Yield the marks of attempts by their number, where those of a student were all marked."""
+    if not any(row.handed_in.attempts for row in book.rows.rows):
+        return
+    found: dict[int, list[float]] = defaultdict(list)
+    for row in book.rows.rows:
+        tried = book.attempts_of(row)
+        if _excused(book, row) or (len(tried) > 1 and not row.handed_in.attempts):
+            continue
+        for number, one in enumerate(tried, 1):
+            if one.mark is not None:
+                found[number].append(one.mark)
     for number in sorted(found):
         marks = found[number]
         yield AttemptFigures(number, len(marks), _mean(marks), _median(marks))

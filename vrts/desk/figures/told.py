@@ -28,7 +28,7 @@ class CheckFigures(Struct, frozen=True):
 
 
 class AttemptFigures(Struct, frozen=True):
-    """Marks of those who handed in so many times."""
+    """Marks of those who handed in so many times, or of their attempts of this number."""
 
     number: int
     count: int
@@ -61,6 +61,7 @@ class Statistics(Struct, frozen=True):
     median: float | None
     checks: tuple[CheckFigures, ...]
     causes: tuple[CauseTold, ...]
-    attempts: tuple[AttemptFigures, ...]
+    attempts: tuple[AttemptFigures, ...]  # final marks by how often somebody handed in
+    progress: tuple[AttemptFigures, ...]  # computed marks of first, second … attempts; or nothing
     graders: tuple[GraderFigures, ...]
     double: tuple[Double, ...]

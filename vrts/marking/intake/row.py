@@ -61,6 +61,14 @@ class Attempt(NamedTuple):
     received: datetime | None
 
 
+class Tried(NamedTuple):
+    """An attempt that was marked to choose among them."""
+
+    file: str
+    received: datetime | None
+    mark: float | None  # as computed, before lateness; None: there is none
+
+
 @dataclass(frozen=True, slots=True)
 class Row:
     """One hand-in, which is one row of results."""
@@ -79,6 +87,7 @@ class Row:
     problem: Problem | None = None
     chosen_by: datetime | None = None  # the own deadline with what graders gave, if any
     doubts: tuple[Doubt, ...] = ()  # why another attempt may be what counts
+    tried: tuple[Tried, ...] = ()  # all attempts, where the best of several counts
 
     @property
     def title(self) -> str:

@@ -119,6 +119,7 @@ def _nameless(row: Row, key: bytes) -> Row:
         why="",
         attempts=tuple(Attempt(file or "", attempt.received) for attempt in row.attempts),
         others=(),
+        tried=tuple(attempt._replace(file=file or "") for attempt in row.tried),
         group=pseudonym(f"group {row.group}", key) if row.group else "",
         problem=row.problem and Problem(row.problem.kind, SENTENCES[row.problem.kind]),
     )

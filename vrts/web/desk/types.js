@@ -45,6 +45,7 @@
 /**
  * @typedef {{marks: Bin[], mean: number | null, median: number | null, checks: CheckStatistics[], causes: Cause[],
  *   attempts: {number: number, count: number, mean: number | null, median: number | null}[],
+ *   progress: {number: number, count: number, mean: number | null, median: number | null}[],
  *   graders: {who: string, rows: number, finished: number, mean: number | null}[],
  *   double: {student: string, marks: Record<string, number | null>, difference: number | null}[]}} Statistics
  */

@@ -18,6 +18,8 @@ from vrts.marking.intake.row import Attempt, Kind, Problem, Row, Student
 from vrts.marking.intake.take_in import take_in
 from vrts.marking.intake.tree.opening import open_place
 from vrts.marking.marking import Done, Entry
+from vrts.marking.privacy.pseudonyms import pseudonymised
+from vrts.marking.row import Class, class_from_bytes, class_to_bytes
 from vrts.marking.unsafe import Reason
 
 CET = timezone(timedelta(hours=1))
@@ -168,4 +170,16 @@ def test_the_best_of_the_first_counts(tmp_path: Path) -> None:
         (all_of_them,) = with_best_attempts(tree, rows, LateRules(CLOSES), marked)
     assert (best.file, best.problem) == (f"ann/{names[0]}/p.v2", None)
     assert "2 of 3 hand-ins count" in best.why
+    listed = class_row(best, structs.replace(plain_result("ann"), mark=9.0), TWO)
+    told = [(one.file, one.received, one.mark) for one in listed.handed_in.attempts]
+    assert told == [
+        (f"ann/{names[0]}/p.v2", "2026-12-01T09:30:00+01:00", 9.0),
+        (f"ann/{names[1]}/p.v2", "2026-12-01T10:00:00+01:00", 4.0),
+    ], "those that may count were all marked, and their marks are kept"
+    again = class_from_bytes(class_to_bytes(Class("vrts.class/1", "A class", (listed,))))
+    assert again.rows[0].handed_in == listed.handed_in
+    assert class_row(rows[0], plain_result("ann"), TWO).handed_in.attempts == ()
+    _, (nameless,) = pseudonymised(tree, (best,), b"key")
+    assert [one.mark for one in nameless.tried] == [9.0, 4.0]
+    assert "ann" not in repr(nameless)
     assert (all_of_them.file, all_of_them.problem) == (f"ann/{names[2]}/p.v2", None)

@@ -57,13 +57,13 @@ function range(bin) {
 }
 
 /**
- * Return means by number of hand-ins, as a line with dots.
- * @param {{number: number, count: number, mean: number | null}[]} rows @param {number} total
+ * Return means by some number, as a line with dots.
+ * @param {{number: number, count: number, mean: number | null}[]} rows @param {number} total @param {string} by
  */
-export function progress(rows, total) {
+export function progress(rows, total, by) {
   const known = rows.filter((row) => row.mean !== null);
   const width = wide();
-  const picture = svg("svg", { viewBox: `0 0 ${width} ${HEIGHT + BELOW}`, class: "histogram", role: "img", "aria-label": `Mean mark by number of hand-ins. ${known.map((row) => `${row.number}: ${plain(row.mean ?? 0)}`).join("; ")}` });
+  const picture = svg("svg", { viewBox: `0 0 ${width} ${HEIGHT + BELOW}`, class: "histogram", role: "img", "aria-label": `Mean mark by ${by}. ${known.map((row) => `${row.number}: ${plain(row.mean ?? 0)}`).join("; ")}` });
   const x = (/** @type {number} */ k) => (known.length < 2 ? width / 2 : 14 + (k * (width - 28)) / (known.length - 1));
   const y = (/** @type {number} */ mean) => HEIGHT - (mean / Math.max(total, 1)) * (HEIGHT - 18);
   picture.append(svg("line", { x1: 0, x2: width, y1: HEIGHT + 0.5, y2: HEIGHT + 0.5, class: "floor" }));

@@ -41,8 +41,7 @@ export class StatisticsView {
         histogram(data.marks, "Final marks")),
       section("Checks", this.checks(data)),
       section("Causes", this.causes(data)),
-      ...(data.attempts.length > 1 ? [section("Marks by number of hand-ins", progress(data.attempts, desk.total),
-        table("By number of hand-ins", ["Hand-ins", "#Students", "#Mean", "#Median"], data.attempts.map((row) => [String(row.number), String(row.count), mark(row.mean), mark(row.median)])))] : []),
+      ...attempts(data, desk.total),
       section("Graders", data.graders.length ? table("Graders", ["Grader", "#Assigned", "#Finished", "#Mean"],
         data.graders.map((row) => [desk.nameOf(row.who), String(row.rows), String(row.finished), mark(row.mean)])) : make("p", { class: "soft", text: "Nobody has decided anything yet." }),
         ...this.double(data)),
@@ -80,6 +79,17 @@ export class StatisticsView {
       }, { class: "as-link" }),
       Object.entries(row.marks).map(([who, value]) => `${desk.nameOf(who)} ${mark(value)}`).join(", "), mark(row.difference)]))];
   }
+}
+
+/** Return progress over attempts where they were all marked, and else marks by how often students handed in. @param {Data} data @param {number} total */
+function attempts(data, total) {
+  const marked = data.progress.length > 1;
+  const rows = marked ? data.progress : data.attempts;
+  if (rows.length < 2) return [];
+  const [title, words, head] = marked ? ["Progress over attempts", "number of the attempt", "Attempt"] : ["Marks by number of hand-ins", "number of hand-ins", "Hand-ins"];
+  return [section(title, progress(rows, total, words),
+    ...(marked ? [make("p", { class: "soft", text: "Computed marks, before lateness and changes by hand. Who handed in less often is missing in later attempts." })] : []),
+    table(`By ${words}`, [head, "#Students", "#Mean", "#Median"], rows.map((row) => [String(row.number), String(row.count), mark(row.mean), mark(row.median)])))];
 }
 
 /** @param {string} title @param {(Node | string)[]} body */

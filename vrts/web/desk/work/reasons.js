@@ -127,7 +127,8 @@ function steps(detail) {
 /** @param {import("../types.js").Detail} detail */
 function attempts(detail) {
   if (detail.attempts.length < 2) return [];
-  return [make("h3", { text: "Attempts" }), make("ul", { class: "past" }, ...detail.attempts.map((one) =>
+  const several = detail.attempts.filter((one) => one.mark !== null).length > 1;
+  return [make("h3", { text: "Attempts" }), ...(several ? [make("p", { class: "soft", text: "Computed marks, before lateness and changes by hand." })] : []), make("ul", { class: "past" }, ...detail.attempts.map((one) =>
     make("li", {}, make("p", { text: `${mark(one.mark)} · ${one.file ?? ""}` }), make("p", { class: "soft", text: when(one.at) }))))];
 }
 
