@@ -147,11 +147,19 @@ def test_two_graders_see_each_other_and_settle_what_they_decide_differently(
         mine, theirs = at_desk(browser, server), at_desk(browser, other)
         assert mine.page.evaluate(CONFLICTS) == theirs.page.evaluate(CONFLICTS) != ""
         count = int(mine.page.evaluate(CONFLICTS))
-        search(theirs, "Femi")
+        for view in (mine, theirs):  # who marks it each alone
+            search(view, "Femi")
+        alone = theirs.page.evaluate(MARK)
+        press(mine, "1")
+        until(mine, f"{MARK} !== '{alone}' && {NOTES}.includes('Gave')")
+        for view in (mine, theirs):
+            search(view, "Daria")
         before = theirs.page.evaluate(MARK)
-        search(mine, "Femi")
         press(mine, "1")
         until(theirs, f"{MARK} !== '{before}'")
+        search(theirs, "Femi")
+        assert theirs.page.evaluate(MARK) == alone, "and what came before that is hidden"
+        assert "on your own" in (theirs.page.text_content(".chips") or "")
         mine.page.click("[data-go=conflicts]")
         first = mine.page.locator(".dispute").first
         first.locator("button.main").last.click()

@@ -213,7 +213,7 @@ def test_agreed_marks_that_are_not_the_final_one_are_told(layout: Layout) -> Non
     assert row.computed is not None
     assert row.final == row.computed - 2.0, "both took a point, for their own reasons"
     assert not row.conflict
-    told = f"R. Huber and S. Mayr all finished with {row.computed - 1:g}, and it is {row.final:g}"
+    told = f"R. Huber and S. Mayr both finished with {row.computed - 1:g}, and it is {row.final:g}"
     assert row.otherwise.startswith(told)
     assert row.why_next == "graders agree on another mark"
 

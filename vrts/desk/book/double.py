@@ -26,18 +26,20 @@ def marks_alone(
     """Return by student and grader the final mark that each grader alone would give.
 
     Args:
-        rows: Of the class, by id.
+        rows: Of the class, by id, as whoever asks may see them.
         by_hand: All that is decided.
         shared: The rows that several graders mark. Of those that somebody has still to finish only
-            the mark of whoever asks is looked at.
+            the mark of whoever asks is looked at: it is the one that is shown.
         me: Id of whoever asks.
     """
     asked: dict[str, list[str]] = defaultdict(list)
-    for student, row in shared.items():
-        for who in row.assigned:
-            if who == me or not row.is_open:
-                asked[who].append(student)
     found: dict[str, dict[str, float | None]] = defaultdict(dict)
+    for student, row in shared.items():
+        if not row.is_open:
+            for who in row.assigned:
+                asked[who].append(student)
+        elif me in row.assigned:
+            found[student][me] = rows[student].final
     for who, students in asked.items():
         seen = by_one(by_hand.ledger, who, students).ledger
         alone = by_hand._replace(ledger=seen, graders=prepared(seen))
@@ -81,10 +83,11 @@ def agreed_otherwise(
         return ""
     if final is not None and abs(marks[0] - final) < _SAME:
         return ""
-    who = " and ".join(names.get(one.who, one.who) for one in found)
+    *first, last = (names.get(one.who, one.who) for one in found)
+    who = f"{', '.join(first)} and {last} {'both' if len(found) == 2 else 'all'}"
     mark = "there is none" if final is None else f"it is {final:g}"
     return (
-        f"{who} all finished with {marks[0]:g}, and {mark}: what they changed adds up."
+        f"{who} finished with {marks[0]:g}, and {mark}: what they changed adds up."
         " Undo what is there twice, or set the mark by hand."
     )
 
