@@ -40,14 +40,18 @@ def do(what: str, folder: Path) -> bytes:
         case "hog":
             return bytes(len(bytearray(900_000_000)))
         case "grow":
+            (folder.parent.parent / "grows").write_text(str(os.getpid()))
             found: list[bytearray] = []
             while True:
                 found.append(bytearray(b"x") * 8_000_000)
         case "loop":
             while True:
                 pass
-        case "nap":
-            time.sleep(0.3)
+        case "nap":  # until whoever grows was ended: then both were looked at
+            (folder.parent.parent / "naps").touch(exist_ok=False)  # not again, where it was ended
+            place = folder.parent.parent / "grows"
+            while not place.exists() or not place.read_text() or goes_on(int(place.read_text())):
+                time.sleep(0.01)
         case "hang":
             time.sleep(60)
         case "segfault":
@@ -69,6 +73,15 @@ def do(what: str, folder: Path) -> bytes:
         case _:
             (folder / "note.txt").write_text(what)
     return what.encode()
+
+
+def goes_on(number: int) -> bool:
+    """Return whether there is a process of this number, or one that nobody has waited for."""
+    try:
+        os.kill(number, 0)
+    except ProcessLookupError:
+        return False
+    return True
 
 
 class Doer:
@@ -131,7 +144,8 @@ def test_answers_come_back_and_losses_are_told_apart(tmp_path: Path, fork: bool)
 @pytest.mark.skipif(not CAN_FORK, reason="nothing is forked here")
 def test_what_a_parent_has_loaded_is_not_counted(tmp_path: Path) -> None:
     loaded = bytearray(b"x") * (LIMITS.memory + 50_000_000)
-    found = run(tmp_path, "nap", "grow", fork=True, limits=replace(LIMITS, cpu_s=10))
+    limits = replace(LIMITS, cpu_s=10, wall_s=60.0)
+    found = run(tmp_path, "nap", "grow", fork=True, limits=limits)
     assert len(loaded) > LIMITS.memory
     assert found["nap"].outcome == Answer(b"nap")
     assert isinstance(found["grow"].outcome, Lost)
