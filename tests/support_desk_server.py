@@ -1,4 +1,4 @@
-"""The marker's desk in a process of its own, and a browser reduced to its requests."""
+"""The grading desk in a process of its own, and a browser reduced to its requests."""
 
 import http.client
 import json
@@ -9,34 +9,33 @@ from collections.abc import Generator, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from types import TracebackType
-from typing import Any
+from typing import Any, Self
 
 from tests.support_commands import Begun
-from tests.support_live import PATIENCE, Answer, Json
+from tests.support_live import PATIENCE, Answer, Json, alone
 
 
-class DeskServer:
-    """`vrts grade desk` on a free port; its browser has come in."""
+class DeskProcess:
+    """`vrts grade desk` of somebody, on a free port."""
 
-    def __init__(self, folder: Path, who: str = "R. Huber", port: int = 0) -> None:
-        """Start it, and come in by the address that it prints."""
+    def __init__(
+        self, folder: Path, who: str = "R. Huber", port: int = 0, *, measured: bool = False
+    ) -> None:
+        """Begin; one that is `measured` has an interpreter of its own."""
         words = ("grade", "desk", str(folder), "--who", who, "--port", str(port), "--no-browser")
-        self.process = Begun(*words)
+        self.process = alone(*words) if measured else Begun(*words)
         assert self.process.stderr is not None
         self.said: list[str] = []
         for line in self.process.stderr:
             self.said.append(line)
-            if "this machine" in line:
+            if "Ctrl-C ends it" in line:
                 break
         found = re.search(r"http://127\.0\.0\.1:(\d+)/\?token=(\S+)", "".join(self.said))
         assert found is not None, self.said
+        self.address, self.page = found[0], found[0].split("?")[0]
         self.port, self.token = int(found[1]), found[2]
-        self.host = f"127.0.0.1:{self.port}"
-        self.cookie = ""
-        self.entered = self.get(f"/?token={self.token}")
-        self.cookie = self.entered.cookie
 
-    def __enter__(self) -> "DeskServer":
+    def __enter__(self) -> Self:
         return self
 
     def __exit__(
@@ -45,13 +44,30 @@ class DeskServer:
         error: BaseException | None,
         trace: TracebackType | None,
     ) -> None:
+        self.end()
+
+    def end(self) -> None:
         """End it as Ctrl-C does."""
+        if self.process.poll() is not None:
+            return
         self.process.send_signal(signal.SIGINT)
         self.process.wait(PATIENCE)
         assert self.process.stderr is not None
         faults = self.process.stderr.read()
         self.process.stderr.close()
         assert "Traceback" not in faults, faults
+
+
+class DeskServer(DeskProcess):
+    """One that a browser reduced to its requests has come into."""
+
+    def __init__(self, folder: Path, who: str = "R. Huber", port: int = 0) -> None:
+        """Start it, and come in by the address that it prints."""
+        super().__init__(folder, who, port)
+        self.host = f"127.0.0.1:{self.port}"
+        self.cookie = ""
+        self.entered = self.get(f"/?token={self.token}")
+        self.cookie = self.entered.cookie
 
     def kill(self) -> None:
         """Kill -9."""

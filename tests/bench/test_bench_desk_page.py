@@ -15,8 +15,8 @@ from playwright.sync_api import Browser
 
 from tests.bench.machine import Metronome
 from tests.browser.support import chromium
-from tests.browser.support_desk import DeskServer
 from tests.support_desk import write_desk_class
+from tests.support_desk_server import DeskProcess
 
 ROWS = 1000
 TIMES = 7
@@ -52,10 +52,10 @@ NEXT = """new Promise((done) => {
 
 
 @pytest.fixture(scope="module")
-def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[DeskServer]:
+def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[DeskProcess]:
     folder: Path = tmp_path_factory.mktemp("desk")
     write_desk_class(folder, ROWS)
-    with DeskServer(folder / "out", "R. Huber", measured=True) as started:
+    with DeskProcess(folder / "out", "R. Huber", measured=True) as started:
         yield started
 
 
@@ -65,7 +65,7 @@ def browser() -> Iterator[Browser]:
         yield opened
 
 
-def test_first_screen_of_a_thousand_rows(server: DeskServer, browser: Browser) -> None:
+def test_first_screen_of_a_thousand_rows(server: DeskProcess, browser: Browser) -> None:
     took: list[float] = []
     leafed: list[float] = []
     moved = 0.0

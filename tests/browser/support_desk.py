@@ -1,59 +1,12 @@
-"""`vrts grade desk` in a process, and pages of it."""
-
-import re
-import signal
-from pathlib import Path
-from types import TracebackType
+"""Pages of `vrts grade desk`."""
 
 from playwright.sync_api import Browser
 
 from tests.browser.support import FRAMES, PATIENCE, UNDRAWN, Opened
-from tests.support_commands import Begun
-from tests.support_live import alone
+from tests.support_desk_server import DeskProcess
 
 
-class DeskServer:
-    """The desk of somebody, on a free port."""
-
-    def __init__(self, out: Path, who: str, *, measured: bool = False) -> None:
-        """Begin; one that is `measured` has an interpreter of its own."""
-        words = ("grade", "desk", str(out), "--who", who, "--no-browser")
-        self.process = alone(*words) if measured else Begun(*words)
-        assert self.process.stderr is not None
-        self.said: list[str] = []
-        for line in self.process.stderr:
-            self.said.append(line)
-            if "Ctrl-C ends it" in line:
-                break
-        found = re.search(r"http://\S+\?token=\S+", "".join(self.said))
-        assert found is not None, self.said
-        self.address = found[0]
-        self.page = self.address.split("?")[0]
-
-    def __enter__(self) -> "DeskServer":
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        self.end()
-
-    def end(self) -> None:
-        """End it as Ctrl-C does."""
-        if self.process.poll() is not None:
-            return
-        self.process.send_signal(signal.SIGINT)
-        self.process.wait(PATIENCE)
-        assert self.process.stderr is not None
-        faults = self.process.stderr.read()
-        self.process.stderr.close()
-        assert "Traceback" not in faults, faults
-
-
-def at_desk(browser: Browser, server: DeskServer, width: int = 1366, height: int = 768) -> Opened:
+def at_desk(browser: Browser, server: DeskProcess, width: int = 1366, height: int = 768) -> Opened:
     """Open the desk in a context of its own; it has shown the first program when this returns."""
     context = browser.new_context(
         viewport={"width": width, "height": height}, reduced_motion="reduce"

@@ -9,8 +9,9 @@ from playwright.sync_api import Browser
 
 from tests.browser.axe import AXE, faults
 from tests.browser.support import PIXEL, Opened, until
-from tests.browser.support_desk import DeskServer, at_desk
+from tests.browser.support_desk import at_desk
 from tests.support_desk import HOSTILE, write_desk_class
+from tests.support_desk_server import DeskProcess
 from tests.support_runs import CONTACT_S, assessment
 from vrts.report.page.page import page
 from vrts.web.assets import asset
@@ -45,8 +46,8 @@ def out(tmp_path: Path) -> Path:
 
 
 @pytest.fixture
-def server(out: Path) -> Iterator[DeskServer]:
-    with DeskServer(out, "R. Huber") as started:
+def server(out: Path) -> Iterator[DeskProcess]:
+    with DeskProcess(out, "R. Huber") as started:
         yield started
 
 
@@ -71,7 +72,7 @@ def search(view: Opened, words: str) -> None:
 
 
 def test_a_program_is_marked_by_keyboard_alone(
-    browser: Browser, server: DeskServer, out: Path
+    browser: Browser, server: DeskProcess, out: Path
 ) -> None:
     view = at_desk(browser, server)
     search(view, "Femi")
@@ -114,7 +115,7 @@ def test_a_program_is_marked_by_keyboard_alone(
 
 @pytest.mark.thorough
 def test_keys_are_silent_while_typing_and_can_be_turned_off(
-    browser: Browser, server: DeskServer, out: Path
+    browser: Browser, server: DeskProcess, out: Path
 ) -> None:
     view = at_desk(browser, server)
     before = decided(out, "huber")
@@ -141,9 +142,9 @@ def test_keys_are_silent_while_typing_and_can_be_turned_off(
 
 @pytest.mark.thorough
 def test_two_graders_see_each_other_and_settle_what_they_decide_differently(
-    browser: Browser, server: DeskServer, out: Path
+    browser: Browser, server: DeskProcess, out: Path
 ) -> None:
-    with DeskServer(out, "S. Mayr") as other:
+    with DeskProcess(out, "S. Mayr") as other:
         mine, theirs = at_desk(browser, server), at_desk(browser, other)
         assert mine.page.evaluate(CONFLICTS) == theirs.page.evaluate(CONFLICTS) != ""
         count = int(mine.page.evaluate(CONFLICTS))
@@ -176,7 +177,7 @@ def test_two_graders_see_each_other_and_settle_what_they_decide_differently(
 
 @pytest.mark.thorough
 def test_one_decision_for_all_who_lost_by_a_cause(
-    browser: Browser, server: DeskServer, out: Path
+    browser: Browser, server: DeskProcess, out: Path
 ) -> None:
     view = at_desk(browser, server)
     view.page.click("[data-go=causes]")
@@ -208,7 +209,7 @@ def test_one_decision_for_all_who_lost_by_a_cause(
 
 @pytest.mark.thorough
 def test_axe_finds_nothing_and_hostile_texts_are_texts(
-    browser: Browser, server: DeskServer
+    browser: Browser, server: DeskProcess
 ) -> None:
     view = at_desk(browser, server)
     view.page.evaluate(AXE)

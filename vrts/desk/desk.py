@@ -11,14 +11,14 @@ import msgspec
 
 from vrts.desk.adding.asked import Body, Rests, completed, records_of, require_seen, rests_on
 from vrts.desk.adding.facts import Facts, Remembered, changed_rows, facts_of
-from vrts.desk.adding.one_at_a_time import one_at_a_time
 from vrts.desk.book.book import Book
 from vrts.desk.book.shelf import Shelf
 from vrts.desk.rows.class_view import Listed
 from vrts.desk.told import AddedTold, GraderTold, RowTold
 from vrts.live.lasting.clock import wall
-from vrts.marking.by_hand.decisions.files import add_decisions
+from vrts.marking.by_hand.decisions.files import add_decisions, locked
 
+LOCK = ".desk.lock"  # in the folder of decisions: one desk adds at a time
 _DIGITS = 16  # of a revision
 
 
@@ -74,7 +74,7 @@ class Desk:
         """
         asked = records_of(body)
         folder = self.now().book.opened.layout.decisions
-        with self._adding, one_at_a_time(folder):
+        with self._adding, locked(folder, LOCK):  # so that what was looked at still holds
             before = self.now()
             shown = self._remembered.of(body.expect)
             if shown is None:

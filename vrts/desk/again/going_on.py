@@ -1,12 +1,12 @@
 """Whether a marking goes on in a folder: a lock that ends with the process that marks."""
 
-import fcntl
 import os
 from pathlib import Path
 from typing import Final
 
 from vrts.marking.layout import Layout
 from vrts.marking.supervise.staging import LOCK as STAGING_LOCK
+from vrts.marking.supervise.staging import locked
 
 LOCK: Final = ".again.lock"  # in `staff`; nothing is in it
 
@@ -21,7 +21,7 @@ def taken_for_marking(folder: Path) -> int | None:
     """
     staff = Layout(folder).staff
     descriptor = os.open(staff / LOCK, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
-    if _taken(descriptor) and not _staging(folder):
+    if locked(descriptor) is not False and not _staging(folder):
         return descriptor
     os.close(descriptor)
     return None
@@ -44,17 +44,6 @@ def _held(lock: Path) -> bool:
     except OSError:
         return False
     try:
-        return not _taken(descriptor)
+        return locked(descriptor) is False  # without locks nobody can tell
     finally:
         os.close(descriptor)
-
-
-def _taken(descriptor: int) -> bool:
-    """Return whether the lock could be taken; without locks nobody can tell, and it is."""
-    try:
-        fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except BlockingIOError:
-        return False
-    except OSError:
-        return True
-    return True

@@ -74,7 +74,7 @@ def _new_lock(home: Path) -> tuple[int, Path]:
     while True:
         lock = home / f"{machine()}-{os.getpid()}-{secrets.token_hex(4)}{LOCK}"
         held = os.open(lock, os.O_RDWR | os.O_CREAT | os.O_EXCL, 0o600)
-        taken = _locked(held)
+        taken = locked(held)
         if taken is not False and _same(held, lock):
             return held, lock
         os.close(held)  # another marking takes it for a left one, and removes it
@@ -89,14 +89,14 @@ def _remove(lock: Path) -> None:
         return
     found = os.open(lock, os.O_RDWR)
     try:
-        if _locked(found) and _same(found, lock):
+        if locked(found) and _same(found, lock):
             shutil.rmtree(folder, ignore_errors=True)
             lock.unlink(missing_ok=True)
     finally:
         os.close(found)
 
 
-def _locked(descriptor: int) -> bool | None:
+def locked(descriptor: int) -> bool | None:
     """Lock a file; return False where somebody else has, and None where there are no locks."""
     if sys.platform == "win32":
         return True

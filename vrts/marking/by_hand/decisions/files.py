@@ -1,5 +1,6 @@
 """The folder of the graders' files: reads all of them, and adds to one, whole or not at all."""
 
+import errno
 import os
 import sys
 from collections.abc import Generator, Sequence
@@ -35,6 +36,7 @@ UNSOUND = Rule("V847", "unsound-decision")
 BUSY = Rule("V849", "decisions-not-written")
 
 LOCK = ".lock"  # in the folder; nothing is in it
+_NO_LOCKS = (errno.ENOLCK, errno.EOPNOTSUPP, errno.ENOSYS, errno.EINVAL)
 
 
 class Added(NamedTuple):
@@ -221,6 +223,9 @@ def _sync_folder(folder: Path) -> None:
 def locked(folder: Path, name: str) -> Generator[None]:
     """Hold a folder for one writer of this machine; wait for another one, who takes moments.
 
+    The system lets go of it however a process ends. A file system that knows no locks holds
+    nothing: what two write within a moment is then a conflict, which is shown.
+
     Args:
         folder: It is made where it is not there.
         name: Of the empty file in it that is locked.
@@ -241,7 +246,11 @@ def locked(folder: Path, name: str) -> Generator[None]:
         else:
             import fcntl  # Windows has none
 
-            fcntl.flock(descriptor, fcntl.LOCK_EX)
+            try:
+                fcntl.flock(descriptor, fcntl.LOCK_EX)
+            except OSError as problem:
+                if problem.errno not in _NO_LOCKS:
+                    raise
         yield
     finally:
         os.close(descriptor)

@@ -9,6 +9,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from math import fsum
 from typing import NamedTuple
 
+from vrts.marking.similarity.features.motion import between, in_mm
 from vrts.marking.submission.sketch import Sketch, Stop
 
 ASIDE_MM = 60.0  # a stop at most this far aside of a place is above it, or below
@@ -66,7 +67,7 @@ def details_of(sketch: Sketch) -> Iterator[Detail]:
         before = _or(one.left, one.put) + 1
         for kind, stop in (("take", stops[one.taken]), ("put", stops[one.put])):
             if not stop.named:
-                places.append((f"{kind} {one.thing}", _mm(stop.beside), stop.line))
+                places.append((f"{kind} {one.thing}", in_mm(stop.beside), stop.line))
     if places:
         yield from _points("go", "", stops[before:])
         yield from _together(places)
@@ -77,7 +78,7 @@ def _details(one: _Episode, stops: Sequence[Stop]) -> Iterator[Detail]:
     for kind, place in (("take", one.taken), ("put", one.put)):
         stop = stops[place]
         if not stop.named:
-            yield Detail(kind, thing, _mm(stop.beside), stop.line)
+            yield Detail(kind, thing, in_mm(stop.beside), stop.line)
             yield Detail(f"{kind} axis", thing, tuple(map(float, stop.axis)), stop.line)
         yield Detail(f"{kind} speed", thing, (float(stop.speed),), stop.line)
     beside = {
@@ -89,7 +90,7 @@ def _details(one: _Episode, stops: Sequence[Stop]) -> Iterator[Detail]:
     for kind, (number, place) in beside.items():
         if number is not None:
             stop = stops[number]
-            yield Detail(kind, thing, _between(stops[place], stop), stop.line)
+            yield Detail(kind, thing, between(stops[place], stop), stop.line)
             yield Detail(f"{kind} speed", thing, (float(stop.speed),), stop.line)
     row = (one.above, one.taken, one.raised, one.over, one.put, one.left)
     manner = tuple(TURNED_MM * (0.5 if k is None else stops[k].straight) for k in row)
@@ -118,7 +119,7 @@ def _episodes(stops: Sequence[Stop]) -> Iterator[_Episode]:
 
 def _above(stops: Sequence[Stop], numbers: range, place: int) -> int | None:
     for number in numbers:
-        x, y, z = _between(stops[place], stops[number])
+        x, y, z = between(stops[place], stops[number])
         if x * x + y * y <= ASIDE_MM**2 and max(abs(x), abs(y), abs(z)) > LEAST_MM:
             return number
     return None
@@ -141,15 +142,7 @@ def _or(number: int | None, place: int) -> int:
 def _points(kind: str, thing: str, stops: Sequence[Stop]) -> Iterator[Detail]:
     for stop in stops:
         if not stop.named:
-            yield Detail(kind, thing, _mm(stop.at), stop.line)
-
-
-def _between(one: Stop, other: Stop) -> Vector:
-    return tuple((b - a) / 10 for a, b in zip(one.at, other.at, strict=True))
-
-
-def _mm(tenths: tuple[int, int, int]) -> Vector:
-    return tuple(n / 10 for n in tenths)
+            yield Detail(kind, thing, in_mm(stop.at), stop.line)
 
 
 _WORDS: Mapping[str, str] = {

@@ -24,17 +24,17 @@ def _pieces(sketch: Sketch) -> Iterator[Feature]:
     for stop in stops:
         if stop.named:
             continue
-        beside = _mm(stop.beside)
+        beside = in_mm(stop.beside)
         exact = (stop.thing, *(round(n, 1) for n in beside))
         yield Feature(Channel.MOTION, "place", exact, stop.line)
         yield from near(Channel.MOTION, "near", (stop.thing,), beside, PLACE_MM, stop.line)
-        yield from near(Channel.MOTION, "world", (), _mm(stop.at), PLACE_MM, stop.line)
+        yield from near(Channel.MOTION, "world", (), in_mm(stop.at), PLACE_MM, stop.line)
         where = (stop.thing, bool(stop.held))
         yield from near(Channel.MOTION, "height", where, beside[2:], HEIGHT_MM, stop.line)
         if max(map(abs, stop.axis)) < 99:  # not along an axis of the world
             yield Feature(Channel.MOTION, "axis", tuple(n // 4 for n in stop.axis), stop.line)
     for one, other in pairwise(stops):
-        by = _between(one, other)
+        by = between(one, other)
         if max(map(abs, by)) < LEAST_MM:
             continue
         how = (other.straight, bool(other.held))
@@ -43,7 +43,7 @@ def _pieces(sketch: Sketch) -> Iterator[Feature]:
         key = (other.straight, other.speed, length, other.hand)
         yield Feature(Channel.MOTION, "manner", key, other.line)
     for one, two, three in zip(stops, stops[1:], stops[2:], strict=False):
-        first, second, both = _between(one, two), _between(two, three), _between(one, three)
+        first, second, both = between(one, two), between(two, three), between(one, three)
         yield from near(Channel.MOTION, "turn", (), (*first, *second), ROUGH_MM, three.line)
         yield from near(Channel.MOTION, "across", (bool(three.held),), both, STEP_MM, three.line)
     for four in zip(stops, stops[1:], stops[2:], stops[3:], strict=False):
@@ -54,9 +54,11 @@ def _deed(stop: Stop) -> tuple[bool, bool, str, str]:
     return stop.straight, bool(stop.held), stop.hand, stop.thing
 
 
-def _between(one: Stop, other: Stop) -> tuple[float, ...]:
+def between(one: Stop, other: Stop) -> tuple[float, ...]:
+    """Return the way from a stop to another one, in mm."""
     return tuple((b - a) / 10 for a, b in zip(one.at, other.at, strict=True))
 
 
-def _mm(tenths: tuple[int, int, int]) -> tuple[float, ...]:
+def in_mm(tenths: tuple[int, int, int]) -> tuple[float, ...]:
+    """Return tenths of mm as mm."""
     return tuple(n / 10 for n in tenths)

@@ -11,11 +11,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from vrts.marking.similarity.weighing.shares import BACKGROUND
+
 Floats = NDArray[np.float64]
 Key = tuple[str, str]  # kind of detail, and the thing
 Vectors = Sequence[tuple[float, ...]]
 
-BACKGROUND = 10.0  # programs that are thought to stand beside a class, of which nothing is known
 COMMON = 0.5  # share of a class from which on nearness tells nothing
 BLOCK = 2_000_000  # distances between rows that are held at a time
 SAME = 0.05  # distances that differ by less are the same
