@@ -5,8 +5,9 @@ import struct
 import numpy as np
 import numpy.typing as npt
 
+from vrts.scene.meshes.closed import closed
 from vrts.scene.meshes.pieces_file import Pieces, pieces_text
-from vrts.scene.meshes.triangles import Triangles, closed
+from vrts.scene.meshes.triangles import Triangles
 
 Point = tuple[float, float, float]
 

@@ -50,6 +50,20 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/scene/meshes/test_covering.py",),
     ),
     Patch(
+        "a part of a mesh that is inside out stays so",
+        "vrts/scene/meshes/orientation.py",
+        "            turned[one] = bool(ways.all())",
+        "            turned[one] = False",
+        ("tests/unit/scene/meshes/test_orientation.py",),
+    ),
+    Patch(
+        "a hollow may cut through the outside of its part",
+        "vrts/scene/meshes/orientation.py",
+        "            if self._meets_others(one):",
+        "            if False:",
+        ("tests/unit/scene/meshes/test_orientation.py",),
+    ),
+    Patch(
         "what stands on two arms of a mesh stands on one of them",
         "vrts/engine/hand/settle.py",
         "    if len(mine) < 2 and len(theirs) < 2:",

@@ -8,6 +8,7 @@ from vrts.base.diagnostic import Diagnostic, Rule
 from vrts.base.source import SourceFile
 from vrts.base.toml.reading import Problems, Table, read_toml
 from vrts.pipeline.pieces.making import CLOSENESS, MOST, Compared, compared, made
+from vrts.pipeline.pieces.named import mesh_sections
 from vrts.pipeline.pieces.splitting import NoLibrary
 from vrts.scene.meshes.mesh_file import MOST_BYTES
 from vrts.scene.meshes.pieces_file import FORMAT, Pieces, PiecesFault, pieces_text, read_pieces
@@ -20,6 +21,7 @@ MESH = Rule("V897", "mesh-refused")
 NO_LIBRARY = Rule("V911", "no-mesh-library")
 NOT_HELD = Rule("V912", "mesh-not-held")
 NOT_THERE = Rule("V913", "mesh-not-there")
+INSIDE_OUT = Rule("V690", "part-inside-out")
 
 
 class Asked(NamedTuple):
@@ -125,6 +127,15 @@ def _beside(
     except (FileFault, MeshFault) as fault:
         _refused(problems, keys, section, fault)
         return None
+    if beside.turned:
+        problems.warning(
+            INSIDE_OUT,
+            f"parts of the mesh `{keys.file}` are inside out",
+            section.value_span("file"),
+            f"of {beside.turned} the normals point inward; they count as solid",
+            help=("turn their normals in your CAD or mesh program, and save the mesh again",),
+            data={"file": keys.file, "parts": beside.turned},
+        )
     if not beside.same:
         tell_changed(section, keys.file)
     elif beside.stands_out > 0.0 or _differ(pieces, beside.pieces):
@@ -160,11 +171,7 @@ def _differ(told: Pieces, measured: Pieces) -> bool:
 
 def _meshes(top: Table) -> Iterator[Named]:
     """Yield the mesh objects of a scene file whose sections can be read."""
-    objects = top.table("objects")
-    for name in () if objects is None else objects.keys:
-        section = objects.table(name) if objects is not None else None
-        if section is None or "kind" not in section or section.string("kind", "") != "mesh":
-            continue
+    for name, section in mesh_sections(top):
         keys = read_mesh_keys(section)
         if keys is not None:
             yield Named(name, keys, section)

@@ -2,6 +2,7 @@
 
 import hashlib
 import math
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from vrts.pipeline.pieces.fitting import fitted
@@ -15,7 +16,7 @@ from vrts.scene.meshes.pieces_file import (
     MOST_PIECES,
     Pieces,
 )
-from vrts.scene.meshes.polytopes import polytope
+from vrts.scene.meshes.polytopes import Polytope, polytope
 from vrts.scene.meshes.triangles import MeshFault, Triangles
 
 CLOSENESS = 0.05  # concavity of a part, as CoACD measures it; smaller: more pieces, nearer ones
@@ -29,6 +30,7 @@ class Compared(NamedTuple):
     pieces: Pieces
     same: bool  # whether they were made of these very bytes
     stands_out: float  # the mesh out of the pieces, at most [mm]; 0: proven that it does not
+    turned: int  # parts of the mesh that were inside out, and count as if they were not
 
 
 def made(name: str, data: bytes, unit: str, closeness: float, most: int) -> Pieces:
@@ -56,8 +58,6 @@ def made(name: str, data: bytes, unit: str, closeness: float, most: int) -> Piec
             "save the mesh with fewer triangles, or ask for fewer pieces with `--most`",
         )
     shapes = [polytope(points) for points in corners]
-    off = deviation(mesh, shapes)
-    x, y, z = (round(value, 4) + 0.0 for value in mesh.centre_of_mass.tolist())
     return Pieces(
         mesh=name.rpartition("/")[2],
         sha256=hashlib.sha256(data).hexdigest(),
@@ -65,12 +65,7 @@ def made(name: str, data: bytes, unit: str, closeness: float, most: int) -> Piec
         library=parts.library,
         closeness=closeness,
         most=most,
-        triangles=len(mesh.faces),
-        mesh_volume=round(mesh.volume, 1),
-        pieces_volume=round(united_volume(shapes), 1),
-        centre_of_mass=(x, y, z),
-        found=_upward(off.found),
-        at_most=_upward(off.at_most),
+        **_measured(mesh, shapes)._asdict(),
         corners=tuple(tuple((x, y, z) for x, y, z in points.tolist()) for points in corners),
     )
 
@@ -86,12 +81,30 @@ def compared(pieces: Pieces, name: str, data: bytes) -> Compared:
     Raises:
         MeshFault: The mesh cannot be taken.
     """
-    mesh: Triangles = read_mesh(name, data, pieces.unit)
+    mesh = read_mesh(name, data, pieces.unit)
     shapes = pieces.polytopes()
     shreds = left_over(mesh, shapes)
+    measured = pieces._replace(**_measured(mesh, shapes)._asdict())
+    same = hashlib.sha256(data).hexdigest() == pieces.sha256
+    out = max(stands_out(shreds, shapes), ROUNDING) if shreds else 0.0
+    return Compared(measured, same, out, mesh.turned)
+
+
+class _Measured(NamedTuple):
+    """The fields of a pieces file that are measured; see `Pieces`."""
+
+    triangles: int
+    mesh_volume: float
+    pieces_volume: float
+    centre_of_mass: tuple[float, float, float]
+    found: float
+    at_most: float
+
+
+def _measured(mesh: Triangles, shapes: Sequence[Polytope]) -> _Measured:
     off = deviation(mesh, shapes)
     x, y, z = (round(value, 4) + 0.0 for value in mesh.centre_of_mass.tolist())
-    measured = pieces._replace(
+    return _Measured(
         triangles=len(mesh.faces),
         mesh_volume=round(mesh.volume, 1),
         pieces_volume=round(united_volume(shapes), 1),
@@ -99,9 +112,6 @@ def compared(pieces: Pieces, name: str, data: bytes) -> Compared:
         found=_upward(off.found),
         at_most=_upward(off.at_most),
     )
-    same = hashlib.sha256(data).hexdigest() == pieces.sha256
-    out = max(stands_out(shreds, shapes), ROUNDING) if shreds else 0.0
-    return Compared(measured, same, out)
 
 
 def _upward(length: float) -> float:

@@ -7,7 +7,8 @@ import numpy.typing as npt
 
 from vrts.base.units import MM
 from vrts.robots.urdf.stl import stl_points
-from vrts.scene.meshes.triangles import MeshFault, Triangles, closed
+from vrts.scene.meshes.closed import closed
+from vrts.scene.meshes.triangles import MeshFault, Triangles
 
 Array: TypeAlias = npt.NDArray[np.float64]
 

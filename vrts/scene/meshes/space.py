@@ -7,6 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 from vrts.scene.meshes.triangles import Triangles
+from vrts.scene.meshes.winding import shares
 
 Array: TypeAlias = npt.NDArray[np.float64]
 Indices: TypeAlias = npt.NDArray[np.int64]
@@ -66,18 +67,12 @@ class Space:
             a, b, c = self.corners[candidates[best]]
             outside = float((point - a) @ np.cross(b - a, c - a)) > 0.0
         else:
-            outside = abs(self._winding(point)) < 0.5
+            outside = self._winding(point) < 0.5
         return (float(away[best]) if outside else -float(away[best])), best
 
     def _winding(self, point: Array) -> float:
         """Return how often the surface goes round a point: 0 outside."""
-        a, b, c = (self.corners - point).transpose(1, 0, 2)
-        la, lb, lc = (np.linalg.norm(side, axis=1) for side in (a, b, c))
-        above = np.einsum("ij,ij->i", a, np.cross(b, c))
-        below = la * lb * lc
-        below += np.einsum("ij,ij->i", a, b) * lc
-        below += np.einsum("ij,ij->i", b, c) * la + np.einsum("ij,ij->i", c, a) * lb
-        return float(np.arctan2(above, below).sum()) / math.tau
+        return float(shares(self.corners, point).sum())
 
 
 def away(points: Array, triangles: Array) -> Array:

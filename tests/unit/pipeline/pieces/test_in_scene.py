@@ -1,12 +1,14 @@
 """`vrts scene check` with meshes: pieces made, proven, and refused where they are others."""
 
+import hashlib
 import json
 from pathlib import Path
 
+import numpy as np
 import pytest
 from click.testing import CliRunner, Result
 
-from tests.parts import stl, u_shape
+from tests.parts import U_PIECES, block, stl, u_pieces, u_shape
 from vrts.cli.main import vrts
 from vrts.pipeline.pieces import splitting
 
@@ -109,3 +111,22 @@ def test_a_library_that_is_not_there_is_named(
 
 def test_asking_for_pieces_without_writing_them_is_a_wrong_call(tmp_path: Path) -> None:
     assert check(folder_with(tmp_path), "--most", "4").exit_code == 2
+
+
+def test_a_part_that_is_inside_out_is_told(tmp_path: Path) -> None:
+    folder = folder_with(tmp_path)
+    beside = (u_shape() * 0.5 + (200.0, 0.0, 0.0))[:, ::-1]
+    mesh = stl(np.concatenate([u_shape(), beside]))
+    (folder / "cradle.stl").write_bytes(mesh)
+    more = b",\n".join(
+        json.dumps([[x / 2 + 200, y / 2, z / 2] for x, y, z in block(*each)]).encode()
+        for each in U_PIECES
+    )
+    written = u_pieces(sha256=hashlib.sha256(mesh).hexdigest()).replace(
+        b"]]\n  ]", b"]],\n" + more + b"\n  ]"
+    )
+    (folder / "cradle.stl.pieces.json").write_bytes(written)
+    told = check(folder)
+    assert "V690" in told.stderr
+    assert "of 1 the normals point inward; they count as solid" in told.stderr
+    assert "V897" not in told.stderr
