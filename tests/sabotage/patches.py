@@ -66,9 +66,16 @@ PATCHES: tuple[Patch, ...] = (
     Patch(
         "what stands on two arms of a mesh stands on one of them",
         "vrts/engine/hand/settle.py",
-        "    if len(mine) < 2 and len(theirs) < 2:",
-        "    if len(mine) < 9 and len(theirs) < 9:",
+        "                        found += common(part, theirs)",
+        "                        found = found or common(part, theirs)",
         ("tests/unit/scene/things/test_mesh_objects.py",),
+    ),
+    Patch(
+        "what is put across two things stands on the first alone",
+        "vrts/engine/hand/settle.py",
+        "    met = hull(_contacts(pieces, X_rest, others, normal))",
+        "    met = hull(_contacts(pieces, X_rest, [standing], normal))",
+        ("tests/unit/engine/hand/test_resting_law.py",),
     ),
     Patch(
         "a mark that has changed since the desk showed it is decided all the same",

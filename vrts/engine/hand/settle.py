@@ -4,8 +4,9 @@ Contacts never push or stop anything else, and nothing bounces, slips or rolls.
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from functools import lru_cache
+from itertools import combinations, pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -23,14 +24,16 @@ from vrts.base.pose import (
     scale,
     subtract,
     translation,
+    transpose,
 )
 from vrts.base.remembered import is_remembering, remembered
 from vrts.engine.hand.resting import Rest, Standing
+from vrts.geometry.clipping import Point, common, left
 from vrts.geometry.hull import faces
 from vrts.geometry.proving.scalar import nearest
 from vrts.geometry.shapes import Box, Cylinder, Hull, Piece, Shape
 from vrts.geometry.support import Bounds, bounds, span
-from vrts.scene.outline import hull
+from vrts.scene.outline import contains, hull
 
 TOUCHING = 1e-5  # [m] nearer than this is contact
 LEAST_STEP = 1e-6  # [m] of the descent
@@ -39,11 +42,10 @@ ALIGNS_WITHIN = math.radians(10.0)  # between contact face and support plane
 FLUSH = math.cos(math.radians(0.5))  # faces turned less to each other look the same way
 LEVEL = 5e-5  # [m] from one plane: faces nearer than this lie in it
 FRICTION = 0.5  # coefficient µ of an inclined support [assumed]
+LEAST_AREA = 1e-8  # [m^2] that something stands on: nothing stands on a line
+ROUNDING = 2e-9  # [m] of corners of a hull
 CORNERS = 48  # of a round face
 STEPS = 20_000  # of the descent
-
-
-Point = tuple[float, float]
 
 
 class Face(NamedTuple):
@@ -64,14 +66,12 @@ def settle(
     X_touch = translation(0.0, 0.0, -height) @ X_WO
     bottom = _face_along(mine, X_touch, scale(Z_AXIS, -1.0))
     top = _face_along(theirs, standing.X_WO, Z_AXIS)
-    if bottom is None or top is None or not _carries(bottom, top):
-        return Rest(height, standing.name, X_touch, stands=False)
-    X_rest = _aligned(X_touch, bottom, top)
-    bottom = _face_along(mine, X_rest, scale(Z_AXIS, -1.0))
-    assert bottom is not None
-    polygon = _common(pieces, X_rest, standing, bottom, top)
+    X_rest, normal = X_touch, Z_AXIS  # on edges or corners, if it stands at all: it is not turned
+    if bottom is not None and top is not None and _carries(bottom, top):
+        X_rest, normal = _aligned(X_touch, bottom, top), top.normal
+    met = hull(_contacts(pieces, X_rest, others, normal))
     mass = X_rest.apply(centre_of_mass)
-    stands = _inside(polygon, (mass[0], mass[1]))
+    stands = _area(met) > LEAST_AREA and contains(met, (mass[0], mass[1]), slack=ROUNDING)
     return Rest(height, standing.name, X_rest if stands else X_touch, stands)
 
 
@@ -152,33 +152,63 @@ def _carries(bottom: Face, top: Face) -> bool:
     return -dot(bottom.normal, top.normal) >= math.cos(ALIGNS_WITHIN)
 
 
-def _common(
-    pieces: Sequence[Piece], X_WO: Pose, standing: Standing, bottom: Face, top: Face
+def _contacts(
+    pieces: Sequence[Piece], X_WO: Pose, others: Sequence[Standing], normal: Vector
 ) -> list[Point]:
-    """Return the support polygon: of two faces, or the hull of all that meet in one plane.
+    """Return points, seen from above, whose hull is what a body stands on.
 
-    A mesh stands on several pieces, or on several faces of one, and so does what stands on it.
+    It may stand on several pieces of a body, on several bodies, at several heights, and on edges
+    and corners; all contacts look along one normal.
     """
-    mine = _level(pieces, X_WO, scale(top.normal, -1.0), top.corners[0])
-    theirs = _level(standing.pieces, standing.X_WO, top.normal, top.corners[0])
-    if len(mine) < 2 and len(theirs) < 2:
-        return _clipped(_flat(bottom), _flat(top))
-    met = [_clipped(_flat(a), _flat(b)) for a in mine or [bottom] for b in theirs or [top]]
-    return list(hull(point for polygon in met for point in polygon))
-
-
-def _level(pieces: Sequence[Piece], X_WO: Pose, normal: Vector, at: Vector) -> list[Face]:
-    """Return the faces of pieces that lie in a plane and look along its normal."""
-    found: list[Face] = []
-    for piece in pieces:
-        X_WP = X_WO @ piece.X_OP
-        for face in _faces(piece.shape):
-            if dot(rotate(X_WP.rotation, face.normal), normal) < FLUSH:
-                continue
-            corners = tuple(X_WP.apply(corner) for corner in face.corners)
-            if all(abs(dot(subtract(corner, at), normal)) <= LEVEL for corner in corners):
-                found.append(Face(normal, corners))
+    down = scale(normal, -1.0)
+    mine = [(-height, part) for piece in pieces for height, part in _ends(piece, X_WO, down)]
+    box = bounds(pieces, X_WO)
+    found: list[Point] = []
+    for standing in others:
+        for piece in standing.pieces:
+            if not _under(box, piece, standing.X_WO):
+                continue  # most are elsewhere
+            for height, theirs in _ends(piece, standing.X_WO, normal):
+                for own, part in mine:
+                    if abs(own - height) <= LEVEL:
+                        found += common(part, theirs)
     return found
+
+
+def _ends(piece: Piece, X_WO: Pose, normal: Vector) -> list[tuple[float, list[Point]]]:
+    """Return what of a piece is farthest along a normal, and how far, seen from above.
+
+    That is a face, or several that are nearly one, or an edge or a corner.
+    """
+    X_WP = X_WO @ piece.X_OP
+    far = span(piece.shape, rotate(transpose(X_WP.rotation), normal))[1]
+    far += dot(X_WP.translation, normal)
+    flat: list[tuple[Vector, ...]] = []
+    for face in _faces(piece.shape):
+        if dot(rotate(X_WP.rotation, face.normal), normal) < FLUSH:
+            continue
+        corners = tuple(X_WP.apply(corner) for corner in face.corners)
+        if all(dot(corner, normal) >= far - LEVEL for corner in corners):
+            flat.append(corners)
+    return [(far, _flat(corners)) for corners in flat or [_edge(piece.shape, X_WP, normal, far)]]
+
+
+def _edge(shape: Shape, X_WP: Pose, normal: Vector, far: float) -> tuple[Vector, ...]:
+    """Return the edge or the corner of a shape that is farthest along a normal."""
+    points: Iterable[Vector]
+    match shape:
+        case Box() | Hull():
+            points = sorted({corner for face in _faces(shape) for corner in face.corners})
+        case Cylinder(radius=radius, half_length=half_length):
+            x, y, _ = rotate(transpose(X_WP.rotation), normal)
+            out = math.hypot(x, y)
+            rim = (radius * x / out, radius * y / out) if out > 0.0 else (0.0, 0.0)
+            points = [(*rim, side * half_length) for side in (-1.0, 1.0)]
+    placed = [X_WP.apply(point) for point in points]
+    ends = [point for point in placed if dot(point, normal) >= far - LEVEL]
+    if len(ends) < 3:
+        return tuple(ends)
+    return max(combinations(ends, 2), key=lambda pair: math.dist(*pair))
 
 
 def _aligned(X_WO: Pose, bottom: Face, top: Face) -> Pose:
@@ -255,39 +285,16 @@ def _hull_faces(points: Sequence[Vector]) -> tuple[Face, ...]:
     return tuple(found)
 
 
-def _flat(face: Face) -> list[Point]:
+def _flat(corners: Sequence[Vector]) -> list[Point]:
     """Return a face seen from above, counter-clockwise."""
-    points = [(x, y) for x, y, _ in face.corners]
+    points = [(x, y) for x, y, _ in corners]
     area = sum(
         a[0] * b[1] - b[0] * a[1] for a, b in zip(points, points[1:] + points[:1], strict=True)
     )
     return points if area >= 0.0 else points[::-1]
 
 
-def _clipped(subject: list[Point], window: list[Point]) -> list[Point]:
-    """Return the common part of two convex polygons (Sutherland and Hodgman)."""
-    for a, b in zip(window, window[1:] + window[:1], strict=True):
-        kept: list[Point] = []
-        sides = [_left(a, b, p) for p in subject]
-        edges = zip(subject, subject[1:] + subject[:1], sides, sides[1:] + sides[:1], strict=True)
-        for p, q, p_in, q_in in edges:
-            if p_in >= 0.0:
-                kept.append(p)
-            if p_in * q_in < 0.0:
-                share = p_in / (p_in - q_in)
-                kept.append((p[0] + share * (q[0] - p[0]), p[1] + share * (q[1] - p[1])))
-        subject = kept
-        if not subject:
-            return []
-    return subject
-
-
-def _inside(polygon: list[Point], point: Point) -> bool:
-    if len(polygon) < 3:
-        return False
-    edges = zip(polygon, polygon[1:] + polygon[:1], strict=True)
-    return all(_left(a, b, point) >= 0.0 for a, b in edges)
-
-
-def _left(a: Point, b: Point, p: Point) -> float:
-    return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])
+def _area(polygon: Sequence[Point]) -> float:
+    """Return the area of a convex polygon [m^2]."""
+    spokes = pairwise(polygon[1:])
+    return sum(left(polygon[0], a, b) for a, b in spokes) / 2.0

@@ -16,6 +16,7 @@ import numpy.typing as npt
 from vrts.base.oat import rotation_from_oat
 from vrts.base.pose import IDENTITY, Pose, Vector
 from vrts.base.units import DEG
+from vrts.geometry.clipping import above
 from vrts.geometry.hull import faces
 from vrts.geometry.shapes import Hull, Piece
 from vrts.geometry.support import Interval, bounds, extent_of
@@ -129,15 +130,14 @@ def _between(
     way = np.array([across[0], across[1], 0.0])
     least, most, common = math.inf, -math.inf, 0.0
     for polygons in pieces:
-        points: list[Array] = []
+        points: list[Vector] = []
         for polygon in polygons:
             seen = np.stack([(polygon - at) @ side, (polygon - at) @ way, polygon[:, 2] - at[2]], 1)
-            inside = _clipped(_clipped(seen, 0, pads.half_width), 2, pads.half_length)
-            if len(inside):
-                points.append(inside)
+            corners: list[Vector] = [(x, y, z) for x, y, z in seen.tolist()]
+            points += _clipped(_clipped(corners, 0, pads.half_width), 2, pads.half_length)
         if not points:
             continue
-        part = np.concatenate(points)
+        part = np.array(points)
         low, high = part.min(axis=0), part.max(axis=0)
         if low[1] > pads.widest / 2.0 or high[1] < -pads.widest / 2.0:
             continue  # behind a finger, even with the hand wide open
@@ -148,15 +148,8 @@ def _between(
     return Interval(least, most)
 
 
-def _clipped(polygon: Array, axis: int, half: float) -> Array:
+def _clipped(polygon: list[Vector], axis: int, half: float) -> list[Vector]:
     """Return the part of a convex polygon within ± half along an axis."""
     for sign in (1.0, -1.0):
-        kept: list[Array] = []
-        for here, there in zip(polygon, np.roll(polygon, -1, axis=0), strict=True):
-            a, b = half - sign * here[axis], half - sign * there[axis]
-            if a >= 0.0:
-                kept.append(here)
-            if a * b < 0.0:
-                kept.append(here + a / (a - b) * (there - here))
-        polygon = np.array(kept).reshape(-1, 3)
+        polygon = above(polygon, [half - sign * corner[axis] for corner in polygon])
     return polygon
