@@ -522,8 +522,8 @@ PATCHES: tuple[Patch, ...] = (
     Patch(
         "toppled objects stand",
         "vrts/engine/hand/settle.py",
-        "return Rest(height, standing.name, X_touch, stands=False)",
-        "return Rest(height, standing.name, X_touch, stands=True)",
+        "stands = _area(met) > LEAST_AREA and contains(met, (mass[0], mass[1]), slack=ROUNDING)",
+        "stands = True",
         (EXAMPLE,),
     ),
     Patch(

@@ -98,17 +98,18 @@ def dish(rng: np.random.Generator) -> Ground:
 
 
 @pytest.mark.parametrize(
-    "ground", [two_bars, two_rods, three_pins, pytest.param(ring, marks=pytest.mark.thorough), dish]
+    "ground", [two_bars, two_rods, three_pins, ring, pytest.param(dish, marks=pytest.mark.thorough)]
 )
 def test_a_can_rests_where_its_mass_is_above_the_hull_of_its_contacts(
     ground: Callable[[np.random.Generator], Ground],
 ) -> None:
     rng = np.random.default_rng(7)
     told = [0, 0]
-    for _ in range(TRIALS if ground is not dish else TRIALS // 2):
+    for _ in range(TRIALS if ground not in {ring, dish} else TRIALS // 2):
         standing, tops = ground(rng)
         at = rng.uniform(-0.02, 0.02, 2)
-        off = rng.uniform(-0.02, 0.02, 2)
+        wide = 0.03 if ground in {ring, dish} else 0.02
+        off = rng.uniform(-wide, wide, 2)
         x, y = at.tolist()
         away = np.linalg.norm(tops - at, axis=1)
         if abs(float(away.min()) - RADIUS) < SURE:
@@ -121,7 +122,7 @@ def test_a_can_rests_where_its_mass_is_above_the_hull_of_its_contacts(
         stands = rest is not None and rest.stands and rest.X_WO.translation[2] > TOP
         assert stands == (limit > 0.0), (x, y, off, limit)
         told[stands] += 1
-    assert min(told) >= 2, told
+    assert min(told) >= 1, told
 
 
 def test_feet_of_several_heights_stand_on_steps() -> None:
