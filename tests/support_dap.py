@@ -56,6 +56,10 @@ class Client:
 
     def ask(self, command: str, **arguments: Any) -> dict[str, Any]:
         """Send a request; return its response."""
+        return self._next("request_seq", self.post(command, **arguments))
+
+    def post(self, command: str, **arguments: Any) -> int:
+        """Send a request and wait for nothing; return its number."""
         self._number += 1
         message = {
             "seq": self._number,
@@ -64,7 +68,7 @@ class Client:
             "arguments": arguments,
         }
         self.raw(framed(message))
-        return self._next("request_seq", self._number)
+        return self._number
 
     def do(self, command: str, **arguments: Any) -> dict[str, Any]:
         """Send a request that has to succeed; return the body of its response."""

@@ -10,7 +10,7 @@ from vrts.check.verdict import CollisionReport, ContactEvent, NearMiss
 from vrts.check.verdicts.limits import JOINT_SPEED, check_limits
 from vrts.debug.passages import Instant, at_time
 from vrts.engine.hand.told import DROP_HEIGHT
-from vrts.engine.memory.events import Found, Released, Toppled
+from vrts.engine.memory.events import Cause, Found, Released, Toppled
 from vrts.engine.run import Run
 
 
@@ -54,6 +54,7 @@ class Alarm(NamedTuple):
     filter: Filter
     text: str
     diagnostic: Diagnostic | None = None
+    cause: Cause | None = None  # the step to blame: it may be an earlier one than the present
 
 
 class Alarms:
@@ -100,7 +101,7 @@ class Alarms:
         else:
             near = mm(event.distance_m)
             text = f"{first} comes near {second}{holding}: {near:.1f} mm at {event.nearest_s:.3f} s"
-        return Alarm(at_time(self.run, event.start_s), kind, text)
+        return Alarm(at_time(self.run, event.start_s), kind, text, cause=event.cause)
 
     def _found(self) -> dict[Filter, list[Alarm]]:
         known: dict[Filter, list[Alarm]] = {}

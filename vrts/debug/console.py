@@ -118,7 +118,7 @@ class Console:
             CannotTell: It has none.
         """
         debugger = self._debugger
-        seen = None if frame is None else frame.locals(debugger.run, debugger.at)
+        seen = None if frame is None else frame.seen(debugger.run, debugger.at)
         return evaluate(debugger.run, debugger.at, text, debugger.dialect, seen)
 
     def give(self, name: str, text: str, frame: Frame | None = None) -> str:

@@ -32,7 +32,7 @@ def evaluate(
     at: Instant,
     text: str,
     dialect: Dialect,
-    seen: Mapping[str, Value] | None = None,
+    seen: Mapping[str, Value | None] | None = None,
 ) -> Value:
     """Return the value of an expression at an instant.
 
@@ -41,35 +41,63 @@ def evaluate(
         at: When it is asked.
         text: A real, a string, a transformation or a precision point; one line.
         dialect: Of the program.
-        seen: Arguments and automatic variables; None: those of the innermost robot program.
+        seen: Arguments and automatic variables, None for those without a value: they hide what is
+            global. Left out: those of the innermost robot program.
 
     Raises:
         CannotTell: It cannot be read, or has no value then.
     """
+    state = run.at_moment(at.time_s, at.finished)
+    seen = state.locals if seen is None else seen
+    simple = _in_force(state.variables, seen).get(key(text.replace(" ", "").strip()))
+    if simple is not None:
+        return simple
+    target, module = read(text, state.variables, seen, dialect)
+    answer = worked_out(run, at, module, seen)
+    if isinstance(answer, str):
+        raise CannotTell(answer.strip())
+    return answer[target]
+
+
+def read(
+    text: str, variables: Mapping[str, Value], seen: Mapping[str, Value | None], dialect: Dialect
+) -> tuple[str, Module]:
+    """Return an expression as a step that gives its value to a variable, and that variable.
+
+    Args:
+        text: As for `evaluate`.
+        variables: What has a value, which tells the kinds of names.
+        seen: Arguments and automatic variables, as for `evaluate`.
+        dialect: Of the program.
+
+    Raises:
+        CannotTell: It cannot be read.
+    """
     text = text.strip()
     if not text or len(text) > LONGEST or "\n" in text:
         raise CannotTell("an expression is one line of at most 250 characters")
-    state = run.at_moment(at.time_s, at.finished)
-    seen = state.locals if seen is None else seen
-    known = {**state.variables, **seen}
-    simple = known.get(key(text.replace(" ", "")))
-    if simple is not None:
-        return simple
+    known = _in_force(variables, seen)
     first = ""
     for target in _targets(text, dialect):
         found = _module(f"{target} = {text}", known, dialect)
-        if isinstance(found, str):
-            first = first or found
-            continue
-        answer = worked_out(run, at, found, seen)
-        if isinstance(answer, str):
-            raise CannotTell(answer.strip())
-        return answer[key(target.split()[-1])]
+        if not isinstance(found, str):
+            return key(target.split()[-1]), found
+        first = first or found
     raise CannotTell(first)
 
 
+def _in_force(
+    variables: Mapping[str, Value], seen: Mapping[str, Value | None]
+) -> Mapping[str, Value]:
+    """Return the values by name: what is local hides what is global, without a value too."""
+    inside = {name.partition("[")[0] for name in seen}
+    found = {n: v for n, v in variables.items() if n.partition("[")[0] not in inside}
+    found.update({name: value for name, value in seen.items() if value is not None})
+    return found
+
+
 def worked_out(
-    run: Run, at: Instant, module: Module, seen: Mapping[str, Value]
+    run: Run, at: Instant, module: Module, seen: Mapping[str, Value | None]
 ) -> Mapping[str, Value] | str:
     """Execute a module of one step beside a run; return the variables then, or why it failed."""
     commands: list[Command] = [_known_as(name, value) for name, value in seen.items()]
@@ -94,7 +122,7 @@ def commands_at(run: Run, at: Instant, commands: Sequence[Command]) -> list[Time
     return [TimedCommand(at.time_s, command, after) for command in commands]
 
 
-def _known_as(name: str, value: Value) -> SetVariable:
+def _known_as(name: str, value: Value | None) -> SetVariable:
     """Return what makes a local variable one that a step of its own can read."""
     base, _, inside = name.rstrip("]").partition("[")
     return SetVariable(

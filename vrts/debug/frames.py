@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from vrts.debug.passages import Instant
+from vrts.engine.memory.cells import Cell
 from vrts.engine.memory.events import Cause
 from vrts.engine.memory.trace import Activation
 from vrts.engine.run import Run
@@ -21,6 +22,10 @@ class Frame(NamedTuple):
     def locals(self, run: Run, at: Instant) -> Mapping[str, Value]:
         """Return its arguments and automatic variables that have a value at an instant."""
         return run.at_moment(at.time_s, at.finished).locals_of(self.activation)
+
+    def seen(self, run: Run, at: Instant) -> Mapping[str, Value | None]:
+        """Return the same, with those that have no value then: they hide what is global."""
+        return seen_by(run, at, self.activation)
 
     def declared(self, run: Run) -> tuple[str, ...]:
         """Return the names of its arguments and automatic variables."""
@@ -41,3 +46,14 @@ def frames(run: Run, at: Instant, *, process: bool) -> tuple[Frame, ...]:
         found.append(Frame(cause, activation, process, innermost=not found))
         activation = activation.caller if activation is not None else None
     return tuple(found)
+
+
+def seen_by(run: Run, at: Instant, activation: Activation | None) -> Mapping[str, Value | None]:
+    """Return arguments and automatic variables of a program; None for those without a value."""
+    if activation is None:
+        return {}
+    program = run.history.code.programs[activation.program]
+    slots = zip((*program.formals, *program.autos), activation.slots, strict=True)
+    found: dict[str, Value | None] = {s.name: None for s, bound in slots if isinstance(bound, Cell)}
+    found.update(run.at_moment(at.time_s, at.finished).locals_of(activation))
+    return found

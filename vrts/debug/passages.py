@@ -11,6 +11,8 @@ from vrts.engine.memory.events import Cause
 from vrts.engine.memory.trace import Activation
 from vrts.engine.run import Run
 
+_CHUNK = 1024  # statements that are looked at in one go
+
 
 class Instant(NamedTuple):
     """An instant of a run; within a tick statements tell before and after apart. They are in order.
@@ -88,6 +90,20 @@ class Passages:
         steps, depths = step[self.instructions], self.depths
         other = (np.diff(steps, prepend=-1) != 0) | (np.diff(depths, prepend=0) != 0)
         return first[self.instructions] | other
+
+    @cached_property
+    def begun(self) -> NDArray[np.int64]:
+        """The statements with which steps begin, in order."""
+        return np.flatnonzero(self.begins)
+
+    def no_deeper(self, begun: NDArray[np.int64], depth: int) -> int | None:
+        """Return the first of some statements at which so many programs at most call each other."""
+        for first in range(0, len(begun), _CHUNK):
+            part = begun[first : first + _CHUNK]
+            fit = np.flatnonzero(self.depths[part] <= depth)
+            if len(fit):
+                return int(part[fit[0]])
+        return None
 
     def cause(self, number: int) -> Cause:
         """Return the step of a statement."""

@@ -9,11 +9,12 @@ from pathlib import Path
 from typing import TypeAlias
 
 from vrts.base.diagnostic import Diagnostic
+from vrts.debug.conditions.hearing import Hear, Interrupted, nobody
 from vrts.debug.dap.arguments import BadRequest, Fields
 from vrts.debug.dap.capabilities import CAPABILITIES
 from vrts.debug.dap.going import GOING
 from vrts.debug.dap.seeing import SEEING
-from vrts.debug.dap.session import Answer, Json, Session
+from vrts.debug.dap.session import Answer, Event, Json, Session
 from vrts.debug.dap.stopping import STOPPING
 from vrts.debug.evaluating import CannotTell
 from vrts.debug.opening import Asked, opened, why_not
@@ -30,9 +31,9 @@ _DURING = {**STOPPING, **GOING, **SEEING}
 class Adapter:
     """One client and its session."""
 
-    def __init__(self, send_event: Send) -> None:
-        """Take what sends an event: its name and its body."""
-        self._event = send_event
+    def __init__(self, send_event: Send, hear: Hear = nobody) -> None:
+        """Take what sends an event, its name and its body, and who is heard meanwhile."""
+        self._event, self._hear = send_event, hear
         self._session: Session | None = None
         self._launched = Fields(None)
         self.over = False  # the client is gone, or was told to go
@@ -43,6 +44,7 @@ class Adapter:
             "restart": self._on_restart,
             "terminate": self._on_terminate,
             "disconnect": self._on_disconnect,
+            "cancel": self._on_cancel,
         }
 
     def answer(self, command: str, arguments: Fields) -> Answer:
@@ -60,8 +62,21 @@ class Adapter:
         except (CannotTell, CannotRead) as problem:
             raise BadRequest(str(problem)) from problem
         except KeyError as problem:
-            raise BadRequest(str(problem.args[0])) from problem
+            raise BadRequest(str(problem.args[0]) if problem.args else "unknown") from problem
         raise BadRequest(f"`{command}` is not supported")
+
+    def gone(self, answer: Answer) -> Sequence[Event]:
+        """Go where an answer says that it goes, after it was sent; return what to tell then."""
+        if answer.go is None or self._session is None:
+            return ()
+        session = self._session
+        try:
+            return session.stopped(answer.go())
+        except Interrupted:
+            return session.stopped(session.debugger.stop, paused=True)
+        except CannotTell as problem:  # it stands where it stood, and the client has to know
+            said = ("output", {"category": "important", "output": f"{problem}\n"})
+            return [said, *session.stopped(session.debugger.stop, paused=True)]
 
     @property
     def _known(self) -> Session:
@@ -88,8 +103,9 @@ class Adapter:
         if self._launched.truth("noDebug", otherwise=False):
             return Answer({}, session.over())
         stops_first = self._launched.truth("stopOnEntry", otherwise=True)
-        stop = session.debugger.stop if stops_first else session.debugger.go_on()
-        return Answer({}, session.stopped(stop))
+        if stops_first:
+            return Answer({}, session.stopped(session.debugger.stop))
+        return Answer({}, go=session.debugger.go_on)
 
     def _on_restart(self, a: Fields) -> Answer:
         """Begin again, with the files as they are now."""
@@ -111,6 +127,10 @@ class Adapter:
         self.over = True
         return Answer({})
 
+    def _on_cancel(self, _: Fields) -> Answer:
+        """Answer; what was to be cancelled has heard of it by itself."""
+        return Answer({})
+
     def _opened(self, a: Fields) -> Session:
         near = a.number("nearMiss", -1.0)
         try:
@@ -121,6 +141,7 @@ class Adapter:
         self._say(_told(found.diagnostics))
         if found.debugger is None or found.console is None:
             raise BadRequest(why_not(found.diagnostics))
+        found.debugger.hear = self._hear
         return Session(found.debugger, found.console, found.sources, found.files)
 
     def _say(self, text: str) -> None:

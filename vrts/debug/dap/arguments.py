@@ -5,6 +5,7 @@ from typing import Any, cast
 
 MOST_TEXT = 100_000  # characters
 MOST_ITEMS = 10_000
+MOST_NUMBER = 1e9
 
 
 class BadRequest(ValueError):  # noqa: N818 -- names the situation
@@ -32,7 +33,7 @@ class Fields:
         found = self._values.get(name)
         if found is None or found == "":
             return None
-        if not isinstance(found, str) or len(found) > MOST_TEXT or "\0" in found:
+        if not isinstance(found, str) or len(found) > MOST_TEXT or not _is_text(found):
             raise BadRequest(f"`{name}` is no text")
         return found
 
@@ -43,10 +44,17 @@ class Fields:
             raise BadRequest(f"`{name}` is no whole number")
         return found
 
+    def whole_or_none(self, name: str) -> int | None:
+        """Return a whole number; None for anything else."""
+        found = self._values.get(name)
+        return found if isinstance(found, int) and not isinstance(found, bool) else None
+
     def number(self, name: str, otherwise: float) -> float:
         """Return a number."""
         found = self._values.get(name, otherwise)
         if isinstance(found, bool) or not isinstance(found, int | float):
+            raise BadRequest(f"`{name}` is no number")
+        if not abs(found) < MOST_NUMBER:  # no number as well: NaN
             raise BadRequest(f"`{name}` is no number")
         return float(found)
 
@@ -79,3 +87,8 @@ class Fields:
         if not isinstance(found, list) or len(cast("list[object]", found)) > MOST_ITEMS:
             raise BadRequest(f"`{name}` is a list")
         return cast("list[object]", found)
+
+
+def _is_text(text: str) -> bool:
+    """Return whether a text can be written and name files: no zeros, no halves of characters."""
+    return "\0" not in text and not any("\ud800" <= letter <= "\udfff" for letter in text)

@@ -23,6 +23,7 @@ CAPABILITIES: dict[str, Any] = {
     "supportsBreakpointLocationsRequest": True,
     "supportsLoadedSourcesRequest": True,
     "supportsTerminateRequest": True,
+    "supportsCancelRequest": True,
     "supportsSingleThreadExecutionRequests": True,
     "exceptionBreakpointFilters": [
         {"filter": kind.value, "label": LABELS[kind], "default": kind in DEFAULT} for kind in Filter

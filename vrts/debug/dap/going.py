@@ -18,11 +18,11 @@ from vrts.ir.commands import GoTo
 
 
 def _continue(session: Session, _: Fields) -> Answer:
-    return Answer({"allThreadsContinued": True}, session.stopped(session.debugger.go_on()))
+    return Answer({"allThreadsContinued": True}, go=session.debugger.go_on)
 
 
 def _reverse_continue(session: Session, _: Fields) -> Answer:
-    return Answer({}, session.stopped(session.debugger.reverse()))
+    return Answer({}, go=session.debugger.reverse)
 
 
 def _next(session: Session, a: Fields) -> Answer:
@@ -44,6 +44,9 @@ def _step_back(session: Session, a: Fields) -> Answer:
 
 
 def _pause(session: Session, _: Fields) -> Answer:
+    if session.paused:
+        session.paused = False
+        return Answer({})
     body = {**stop_body(session.debugger.stop), "reason": "pause"}
     return Answer({}, [("stopped", body)])
 

@@ -1,14 +1,15 @@
 """The adapter on two streams: requests in, responses and events out, until the client is gone."""
 
 import contextlib
-from collections.abc import Sequence
 from threading import Lock
 from typing import Any, BinaryIO
 
+from vrts.debug.conditions.hearing import Interrupted
 from vrts.debug.dap.adapter import Adapter
 from vrts.debug.dap.arguments import BadRequest, Fields
-from vrts.debug.dap.framing import Malformed, Message, read_message, write_message
-from vrts.debug.dap.session import Event
+from vrts.debug.dap.framing import Incoming, Message, write_message
+from vrts.debug.dap.listening import Listening
+from vrts.debug.dap.session import Answer
 
 
 class _Writer:
@@ -31,18 +32,18 @@ class _Writer:
 def serve(incoming: BinaryIO, outgoing: BinaryIO) -> None:
     """Serve one client until it disconnects or its end of the stream is closed."""
     writer = _Writer(outgoing)
-    adapter = Adapter(writer.event)
+    listening = Listening(Incoming(incoming))
+    adapter = Adapter(writer.event, listening.hear)
     with contextlib.suppress(BrokenPipeError):  # nobody listens any more: that is the end
         while not adapter.over:
-            try:
-                message = read_message(incoming)
-            except Malformed as problem:
-                words = f"a malformed message came: {problem}\n"
-                writer.event("output", {"category": "important", "output": words})
-                continue
-            if message is None:
+            heard = listening.next()
+            if heard.message is None:
                 return
-            _answer(adapter, writer, message)
+            if heard.problem:
+                words = f"a malformed message came: {heard.problem}\n"
+                writer.event("output", {"category": "important", "output": words})
+            else:
+                _answer(adapter, writer, heard.message)
 
 
 def _answer(adapter: Adapter, writer: _Writer, message: Message) -> None:
@@ -54,14 +55,21 @@ def _answer(adapter: Adapter, writer: _Writer, message: Message) -> None:
         "request_seq": number if isinstance(number, int) else 0,
         "command": command,
     }
-    events: Sequence[Event] = ()
+    answer = Answer({})
     try:
         answer = adapter.answer(command, Fields(message.get("arguments")))
         response |= {"success": True, "body": answer.body}
-        events = answer.events
     except BadRequest as problem:
-        shown = {"id": 1, "format": str(problem), "showUser": True}
-        response |= {"success": False, "message": str(problem), "body": {"error": shown}}
+        response |= _refused(str(problem))
+    except Interrupted:
+        response |= {"success": False, "message": "cancelled"}
+    except Exception as fault:
+        response |= _refused(f"a fault in vrts: {type(fault).__name__}: {fault}")
     writer.send(response)
-    for name, event in events:
+    for name, event in (*answer.events, *adapter.gone(answer)):
         writer.event(name, event)
+
+
+def _refused(words: str) -> dict[str, Any]:
+    shown = {"id": 1, "format": "{words}", "variables": {"words": words}, "showUser": True}
+    return {"success": False, "message": words, "body": {"error": shown}}

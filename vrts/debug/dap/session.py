@@ -4,7 +4,7 @@ The robot program is thread 1, the process control program thread 2; both always
 instant.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple, TypeAlias
 
@@ -45,6 +45,7 @@ class Answer(NamedTuple):
 
     body: Json
     events: Sequence[Event] = ()  # sent after the response
+    go: Callable[[], Stop] | None = None  # what may take long: done after the response was sent
 
 
 class Session:
@@ -60,6 +61,7 @@ class Session:
         self.files = files
         self.handles = Handles()
         self.lines: dict[str, list[Breakpoint]] = {}  # by source
+        self.paused = False  # it was stopped by the client, which has been told so
         self._next_id = 1
         self._told = 0  # characters of the terminal that the client has seen
         debugger.wishes.filters = DEFAULT
@@ -112,10 +114,18 @@ class Session:
         self.handles.clear()
         return [("invalidated", {"areas": ["variables", "stacks"]})]
 
-    def stopped(self, stop: Stop) -> list[Event]:
-        """Return what tells a client where it stands now, and what was written on the way."""
+    def stopped(self, stop: Stop, *, paused: bool = False) -> list[Event]:
+        """Return what tells a client where it stands now, and what was written on the way.
+
+        Args:
+            stop: Where it stands.
+            paused: The client has stopped what was looked for: it stands where it stood.
+        """
         self.handles.clear()
         events = [*self._news(), *self._written()]
+        self.paused = paused
+        if paused:
+            return [*events, ("stopped", {**stop_body(stop), "reason": "pause"})]
         if stop.why is Why.END:
             events.append(("output", {"category": "console", "output": self._ended()}))
         return [*events, ("stopped", stop_body(stop))]

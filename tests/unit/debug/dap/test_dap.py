@@ -1,13 +1,16 @@
 """The debug adapter as editors use it: over pipes, forward and backward."""
 
 from collections.abc import Iterator
+from io import BytesIO
 from pathlib import Path
 
 import pytest
 
 from tests.support_dap import Client
+from tests.support_framing import framed
 from tests.support_programs import ROOT
 from tests.unit.debug.test_debugger import TEXT
+from vrts.debug.dap.framing import Incoming, Malformed
 
 HITS = ROOT / "examples/01-cans-on-bases/submissions/hits-base.v2"
 EXAMPLES = sorted((ROOT / "examples").glob("*/solution.v2"))
@@ -231,6 +234,44 @@ def test_bad_messages_do_no_harm(client: Client, program: Path) -> None:
     ):
         assert not client.ask(command, **arguments)["success"], command
     assert client.line() == 2, "and it still answers"
+
+
+@pytest.mark.parametrize(
+    "data",
+    [
+        b"Content-Length: -5\r\n\r\n",
+        b"Content-Length: many\r\n\r\n{}",
+        b"Content-Length: 999999999\r\n\r\n{}",
+        b"no header\r\n\r\n",
+        b"X-Long: " + b"x" * 3_000_000 + b"\r\n\r\n",
+        b"\r\n\r\n",
+    ],
+)
+def test_after_a_bad_header_it_goes_on(data: bytes) -> None:
+    asked = framed({"seq": 1, "type": "request", "command": "initialize"})
+    incoming = Incoming(BytesIO(data + asked + asked))
+    with pytest.raises(Malformed):
+        incoming.read_message()
+    found = [incoming.read_message() for _ in range(3)]
+    assert [message and message["command"] for message in found] == ["initialize"] * 2 + [None]
+
+
+def test_it_is_heard_while_it_works_on_conditions(client: Client, tmp_path: Path) -> None:
+    path = tmp_path / "endless.v2"
+    path.write_text(".PROGRAM main\n n = 0\n10 n = n+1\n WAIT n > 0\n GOTO 10\n.END\n")
+    client.launch(path)
+    client.raw(b"Content-Length: -5\r\n\r\n")
+    client.lines(path, 3, condition="TIMER(1) < 0")
+    client.do("continue", threadId=1)
+    client.do("pause", threadId=1)
+    assert client.event("stopped")["reason"] == "pause"
+    assert client.line() == 2, "it stands where it stood"
+    number = client.post("evaluate", expression="n", context="watch")
+    client.do("cancel", requestId=number)
+    client.lines(path, 3, condition="n == 100000")
+    assert client.go("continue")["reason"] == "breakpoint"
+    assert client.value("n").replace(",", "") == "100000"
+    assert not any(event["event"] == "stopped" for event in client.events)
 
 
 def test_it_ends_with_its_client(program: Path) -> None:

@@ -1,0 +1,85 @@
+"""What the debugger costs: conditions of breakpoints that are passed often, and steps; by hand.
+
+`python -m pytest tests/bench/test_bench_debug.py -s -p no:xdist`
+"""
+
+from time import perf_counter
+
+from tests.support_programs import compiled, robot_alone
+from vrts.debug.breakpoints import Breakpoint, Watch
+from vrts.debug.debugger import Debugger, Stop, Way, Why
+from vrts.debug.evaluating import evaluate
+from vrts.engine.controller import execute
+from vrts.lang.dialect import DIALECTS
+
+PASSES = 100_000
+LOOP = f""".PROGRAM main()
+ FOR n = 1 TO {PASSES}
+  x = n*0.5
+  a[2] = x
+  CALL twice(n, m)
+ END
+.END
+.PROGRAM twice(a, b)
+ b = a*2
+.END
+"""
+ENDLESS = ".PROGRAM main\n n = 0\n10 n = n+1\n WAIT n > 0\n GOTO 10\n.END\n"
+WISHES = {
+    "a condition on a real": Breakpoint(1, "main.v2", 3, condition="n == 100000"),
+    "... with arithmetic": Breakpoint(1, "main.v2", 4, condition="INT(x)+1 == 50001 AND n > 5"),
+    "... on an element": Breakpoint(1, "main.v2", 5, condition="a[2] >= 50000"),
+    "... on an argument": Breakpoint(1, "main.v2", 9, condition="a == 100000"),
+    "... on a signal": Breakpoint(1, "main.v2", 3, condition="SIG(3) OR n == 100000"),
+    "... never true": Breakpoint(1, "main.v2", 3, condition="n < 0"),
+    "hits": Breakpoint(1, "main.v2", 3, hits="100000"),
+    "a condition and hits": Breakpoint(1, "main.v2", 3, condition="n > 5", hits=">= 99990"),
+    "a watch with a condition": Watch(1, "x", condition="x == 50000"),
+    "a log point": Breakpoint(1, "main.v2", 3, log="n is {n}, x is {x+1}"),
+}
+
+
+def spent(d: Debugger) -> tuple[float, Stop]:
+    before = perf_counter()
+    stop = d.go_on()
+    return perf_counter() - before, stop
+
+
+def test_conditions_on_a_hundred_thousand_passes() -> None:
+    run = execute(compiled(LOOP, "val2+"), robot_alone())
+    print(f"\n{run.statements:,} statements")
+    for words, wish in WISHES.items():
+        d = Debugger(run, DIALECTS["val2+"])
+        if isinstance(wish, Watch):
+            d.wishes.watches = [wish]
+        else:
+            d.wishes.lines = [wish]
+        first, stop = spent(d)
+        d.restart()
+        again, _ = spent(d)
+        print(f"{words:28} {first:7.2f} s, again {again:7.4f} s, {stop.why.value} {stop.text}")
+    d = Debugger(run, DIALECTS["val2+"])
+    d.seek(run.horizon_s)
+    before = perf_counter()
+    for _ in range(20):
+        evaluate(run, d.at, "n == 100000", d.dialect)
+    print(f"{'one condition on a fork':28} {(perf_counter() - before) / 20 * 1e3:7.2f} ms")
+
+
+def test_an_endless_loop_is_left() -> None:
+    d = Debugger(execute(compiled(ENDLESS), robot_alone()), DIALECTS["val2"])
+    d.wishes.lines = [Breakpoint(1, "main.v2", 3, condition="n < 0")]
+    time_s, stop = spent(d)
+    assert stop.why is Why.END
+    print(f"\nan endless loop of {d.run.statements:,} statements: {time_s:.2f} s")
+
+
+def test_steps() -> None:
+    d = Debugger(execute(compiled(LOOP, "val2+"), robot_alone()), DIALECTS["val2+"])
+    d.step(Way.INTO)
+    before = perf_counter()
+    for _ in range(1000):
+        d.step(Way.INTO)
+    for _ in range(1000):
+        d.step_back()
+    print(f"\na step: {(perf_counter() - before) / 2000 * 1e3:.3f} ms")

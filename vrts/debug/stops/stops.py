@@ -1,0 +1,137 @@
+"""Every place of a run where the user wishes to stop: the next one, and the last one before."""
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import NamedTuple
+
+from vrts.debug.alarms import Alarms
+from vrts.debug.breakpoints import Breakpoint, Watch, resolve
+from vrts.debug.changes import changes
+from vrts.debug.conditions.expression import Expressions
+from vrts.debug.conditions.hearing import Hear
+from vrts.debug.messages import filled
+from vrts.debug.passages import Instant, Passages
+from vrts.debug.stops.came import Came, Chosen, Look, Place, came_to
+from vrts.debug.stops.stop import Logged, Stop, Why, Wishes
+from vrts.engine.run import Run
+from vrts.lang.dialect import Dialect
+
+
+class _Wished(NamedTuple):
+    """A place, and the breakpoint or watch that wishes it."""
+
+    place: Place
+    point: Breakpoint | Watch
+
+    def stop(self, chosen: Chosen) -> Stop:
+        came = self.place.came[chosen.number]
+        why = Why.CHANGE if isinstance(self.point, Watch) else Why.BREAKPOINT
+        text = chosen.text or came.text
+        return Stop(came.instant, why, text, process=came.process, ids=(self.point.id,))
+
+
+class Stops:
+    """The stops of one run; what was worked out is remembered."""
+
+    def __init__(
+        self,
+        run: Run,
+        passages: Mapping[bool, Passages],
+        alarms: Alarms,
+        dialect: Dialect,
+    ) -> None:
+        """Take a run; nothing is worked out before it is asked for."""
+        self._run, self._alarms = run, alarms
+        self._both = tuple(passages.values())
+        self._expressions = Expressions(run, dialect)
+        self._places: dict[tuple[str, int, str, str], Place] = {}
+
+    def following(self, wishes: Wishes, at: Instant, hear: Hear) -> Stop | None:
+        """Return the first stop after an instant.
+
+        Raises:
+            Interrupted: `hear` has heard somebody.
+        """
+        look = Look(self._run, hear)
+        found = self._found(wishes, lambda place: place.following(at, look))
+        found += [stop for stop in self._alarmed(wishes) if stop.instant > at]
+        return _joined(found, min(map(_when, found), default=at))
+
+    def before(self, wishes: Wishes, at: Instant, hear: Hear) -> Stop | None:
+        """Return the last stop before an instant; raises as `following`."""
+        look = Look(self._run, hear)
+        found = self._found(wishes, lambda place: place.before(at, look))
+        found += [stop for stop in self._alarmed(wishes) if stop.instant < at]
+        return _joined(found, max(map(_when, found), default=at))
+
+    def passing(self, point: Breakpoint, at: Instant, hear: Hear) -> Stop | None:
+        """Return the first stop of one line after an instant; raises as `following`."""
+        wished = self._of_line(point)
+        chosen = None if wished is None else wished.place.following(at, Look(self._run, hear))
+        return None if wished is None or chosen is None else wished.stop(chosen)
+
+    def logged(
+        self, points: Sequence[Breakpoint], begin: Instant, end: Instant, hear: Hear
+    ) -> list[Logged]:
+        """Return what log points write after an instant, up to another one; raises as above."""
+        look = Look(self._run, hear)
+        found: list[Logged] = []
+        for point in points:
+            wished = self._of_line(point)
+            for chosen in () if wished is None else wished.place.between(begin, end, look):
+                assert wished is not None
+                came = wished.place.came[chosen.number]
+                activation = look.activation(came)
+                text = filled(point.log, self._expressions, came.instant, activation, look.heard)
+                found.append(Logged(came.instant, text, point.id))
+        return sorted(found, key=lambda logged: logged.instant)
+
+    def _found(self, wishes: Wishes, choose: Callable[[Place], Chosen | None]) -> list[Stop]:
+        lines = (self._of_line(point) for point in wishes.lines if not point.log)
+        watches = (self._of_watch(watch) for watch in wishes.watches)
+        return [
+            wished.stop(chosen)
+            for wished in (*lines, *watches)
+            if wished is not None and (chosen := choose(wished.place)) is not None
+        ]
+
+    def _alarmed(self, wishes: Wishes) -> list[Stop]:
+        found = self._alarms.of(wishes.filters)
+        return [Stop(alarm.instant, Why.ALARM, alarm.text, alarm=alarm) for alarm in found]
+
+    def _of_line(self, point: Breakpoint) -> _Wished | None:
+        resolved = resolve(self._run.history.code, point.source, point.line)
+        if resolved is None:
+            return None
+        key = (point.source, resolved.line, point.condition, point.hits)
+        place = self._places.get(key)
+        if place is None:
+            came = came_to(self._run, self._both, resolved)
+            place = self._places[key] = self._place(point, came)
+        return _Wished(place, point)
+
+    def _of_watch(self, watch: Watch) -> _Wished:
+        key = (watch.name, 0, watch.condition, watch.hits)
+        place = self._places.get(key)
+        if place is None:
+            found = changes(self._run, watch.name)
+            came = [Came(change.instant, text=change.text) for change in found]
+            place = self._places[key] = self._place(watch, came)
+        return _Wished(place, watch)
+
+    def _place(self, point: Breakpoint | Watch, came: Sequence[Came]) -> Place:
+        condition = self._expressions.of(point.condition) if point.condition else None
+        return Place(came, condition, point.hits)
+
+
+def _when(stop: Stop) -> Instant:
+    return stop.instant
+
+
+def _joined(stops: Sequence[Stop], instant: Instant) -> Stop | None:
+    """Return one stop for all that are at an instant."""
+    here = [stop for stop in stops if stop.instant == instant]
+    if not here:
+        return None
+    chosen = next((stop for stop in here if stop.alarm is not None), here[0])
+    same = [stop for stop in here if stop.why is chosen.why]
+    return chosen._replace(ids=tuple(dict.fromkeys(id_ for stop in same for id_ in stop.ids)))
