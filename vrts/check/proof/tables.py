@@ -139,7 +139,12 @@ def inside(of: Solids, solid: Indices, corners: Array, weights: Array) -> Array:
 
 
 def _holds(shape: Shape, points: Array) -> bool:
-    """Return whether points (4, 3) lie in a shape, as corners if it is a hull."""
+    """Return whether points (4, 3) lie in a shape, as corners if it is a hull.
+
+    A hull is its points here and in all of this room, and never its faces: how far it reaches is
+    the farthest of its points, what lies in it is a mean of them. So a certificate cannot use faces
+    that leave a point out. Pieces of meshes, which are proven by planes, are looked at elsewhere.
+    """
     match shape:
         case Box(half_extents=half):
             return bool((np.abs(points) <= np.array(half) + EXACT).all())

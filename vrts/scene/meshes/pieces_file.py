@@ -47,7 +47,7 @@ class Pieces(NamedTuple):
     corners: tuple[tuple[tuple[float, float, float], ...], ...]  # of each piece [mm]
 
     def polytopes(self) -> tuple[Polytope, ...]:
-        """Return the pieces with their planes. Raises ValueError when one is flat."""
+        """Return the pieces with their planes. Raises ValueError when one is flat, or nearly."""
         return tuple(polytope(np.array(points, dtype=np.float64)) for points in self.corners)
 
 
@@ -100,7 +100,7 @@ def read_pieces(data: bytes) -> Pieces:
     try:
         found.polytopes()
     except ValueError as flat:
-        raise PiecesFault("one of the pieces is flat") from flat
+        raise PiecesFault("one of the pieces is flat, or its faces are not sure") from flat
     return found
 
 

@@ -13,6 +13,8 @@ from vrts.geometry.hull import faces
 
 Array: TypeAlias = npt.NDArray[np.float64]
 
+OUT = 1e-6  # [mm] by which a point of a hull may be outside its planes
+
 
 class Polytope(NamedTuple):
     """A convex piece."""
@@ -33,10 +35,21 @@ class Polytope(NamedTuple):
 def polytope(points: Array) -> Polytope:
     """Return the hull of points. Its planes are fitted to whole faces, and hold all points.
 
+    Faces that lie on the hull and close round it are all of its faces. Where points are within
+    rounding of a plane, one may be left out: the planes would hold more than the hull, and be no
+    proof that the hull holds a mesh.
+
     Raises:
-        ValueError: The points lie in one plane.
+        ValueError: The points lie in one plane, or so nearly that faces do not close.
     """
     hull = faces(points)
+    edges = [
+        edge
+        for polygon in hull.polygons
+        for edge in zip(polygon, polygon[1:] + polygon[:1], strict=True)
+    ]
+    if len(set(edges)) != len(edges) or {(b, a) for a, b in edges} != set(edges):
+        raise ValueError("the faces of the hull do not close")
     normals: list[Array] = []
     for polygon in hull.polygons:
         ring = hull.vertices[list(polygon)]
@@ -46,4 +59,7 @@ def polytope(points: Array) -> Polytope:
         normals.append(area / np.linalg.norm(area))
     array = np.array(normals)
     offsets = (hull.vertices @ array.T).max(axis=0)
-    return Polytope(hull.vertices, array, offsets, hull.polygons)
+    found = Polytope(hull.vertices, array, offsets, hull.polygons)
+    if float(found.excess(points).max()) > OUT:
+        raise ValueError("the faces of the hull leave a point out")
+    return found
