@@ -10,10 +10,11 @@ from vrts.check.rules.hints import Hints, without_remedy
 from vrts.debug.debugger import Debugger
 from vrts.debug.evaluating import CannotTell, evaluate, worked_out
 from vrts.debug.frames import Frame, frames
-from vrts.ir.commands import Answer, Command, SetLocal, SetVariable
+from vrts.debug.giving import Target, command_for, given, target_of
+from vrts.engine.memory.cells import Bound
+from vrts.ir.commands import Answer, Command, SetLocal
 from vrts.ir.module import Module
 from vrts.ir.values import Type, Value, type_of_value
-from vrts.lang.names import key
 from vrts.lang.typed.commands import read_command
 from vrts.monitor import words
 from vrts.monitor.desk import Desk, Situation
@@ -24,7 +25,7 @@ from vrts.report.because import chain_lines
 from vrts.why.asking import Unknown, why_at, why_of
 
 _ASSIGNED = re.compile(
-    r"\s*(?P<name>[$#]?[A-Za-z][\w.]*)\s*(?:\[(?P<index>[^\]=]{1,60})\])?\s*=\s*(?P<value>[^=].*)"
+    r"\s*(?P<name>[$#]?[A-Za-z][\w.]*\s*(\[[^\]=]{1,60}\]|\([^)=]{1,60}\))?)\s*=\s*(?P<value>[^=].*)"
 )
 _WHY = re.compile(r"\s*why(?:\s+(?P<of>[$#]?[A-Za-z][\w.]*\s*(?:\[[-\d, ]+\])?))?\s*", re.I)
 NO_HINTS = "the task allows no hints"
@@ -70,8 +71,7 @@ class Console:
                 return _refused(debugger.change([Answer(line)]))
             assigned = _ASSIGNED.fullmatch(line)
             if assigned is not None:
-                name, index = assigned["name"], assigned["index"]
-                shown = self.give(f"{name}[{index}]" if index else name, assigned["value"], frame)
+                shown = self.give(assigned["name"], assigned["value"], frame)
                 return f"{shown}\n"
             asked = _WHY.fullmatch(line)
             if asked is not None and "why" not in debugger.state.variables:
@@ -122,41 +122,63 @@ class Console:
         return evaluate(debugger.run, debugger.at, text, debugger.dialect, seen)
 
     def give(self, name: str, text: str, frame: Frame | None = None) -> str:
-        """Give a variable the value of an expression; return the value as it is shown.
+        """Give a variable or a signal the value of an expression; return what it has then.
 
-        A location may be given as it is shown: six numbers.
+        A location may be given as it is shown: six numbers. A signal may be `on` or `off`.
 
         Raises:
-            CannotTell: The expression has no value, or one of another kind than the variable, or
-                the variable is one of a program that has called another.
+            CannotTell: The expression has no value, or the name stands for nothing that can be
+                given it, or the controller refuses it. Nothing has changed then.
         """
         debugger = self._debugger
         frame = frame or next(iter(frames(debugger.run, debugger.at, process=False)), None)
-        base, _, inside = name.replace(" ", "").rstrip("]").partition("[")
-        base = key(base)
-        subscripts = tuple(self._whole(p, frame) for p in inside.split(",")) if inside else ()
-        value = self.value(_as_location(base, text), frame)
-        _fits(base, value)
-        known: Mapping[str, Value] = debugger.state.variables
-        command: Command = SetVariable(base, subscripts, value)
-        if frame is not None and base in frame.declared(debugger.run):
+
+        def reads(part: str) -> Value:
+            return self.value(part, frame)
+
+        target = target_of(name, reads)
+        value = given(_as_location(target.name, text), target, reads)
+        state = debugger.state
+        command: Command
+        if frame is not None and target.name in frame.declared(debugger.run):
             if not frame.innermost:
                 raise CannotTell(f"`{name}` can be changed once `{frame.cause.program}` goes on")
-            known = frame.locals(debugger.run, debugger.at)
-            command = SetLocal(base, subscripts, value, frame.process)
-        before = known.get(_cell(base, subscripts))
-        if before is not None and type_of_value(before) is not type_of_value(value):
-            raise CannotTell(f"`{name}` holds a value of another kind")
-        refused = debugger.change([command])
-        if refused:
-            raise CannotTell(refused[0])
-        return value_text(value)
+            before = frame.locals(debugger.run, debugger.at).get(target.shown)
+            if before is not None and type_of_value(before) is not type_of_value(value):
+                raise CannotTell(f"`{name}` holds a value of another kind")
+            command = SetLocal(target.name, target.subscripts, value, frame.process)
+        else:
+            command = command_for(target, value, state, self._bound(target.name), debugger.dialect)
+        if target.name:
+            _fits(target.name, value)
+        with debugger.whole():
+            refused = debugger.change([command])
+            if refused:
+                raise CannotTell(refused[0])
+            now = self._now_of(target, frame)
+            wanted = value if not target.signal else -1.0 if value else 0.0
+            if now != wanted:
+                raise CannotTell(f"the controller does not let `{target.shown}` be changed")
+        return value_text(now)
 
-    def _whole(self, text: str, frame: Frame | None) -> int:
-        value = self.value(text, frame)
-        if not isinstance(value, float) or not 0.0 <= value <= 32767.0:
-            raise CannotTell("an index is from 0 to 32767")
-        return round(value)
+    def _bound(self, name: str) -> Bound | None:
+        """Return what a name stands for, if a program or a value knows it."""
+        run = self._debugger.run
+        return next((item for item in run.history.memory.bound if item.name == name), None)
+
+    def _now_of(self, target: Target, frame: Frame | None) -> Value | None:
+        """Return what the controller has now, after a change."""
+        debugger = self._debugger
+        state = debugger.state
+        if target.speed:
+            return state.monitor_speed
+        if target.signal:
+            on = (abs(target.signal) in state.signals) is (target.signal > 0)
+            return -1.0 if on else 0.0
+        if frame is not None and target.name in frame.declared(debugger.run):
+            inside = frames(debugger.run, debugger.at, process=frame.process)
+            return inside[0].locals(debugger.run, debugger.at).get(target.shown)
+        return state.variables.get(target.shown)
 
     @property
     def _now(self) -> Situation:
@@ -184,10 +206,6 @@ def _fits(name: str, value: Value) -> None:
         raise CannotTell(f"`{name}` cannot hold such a value")
     if wanted is None and kind in (Type.STRING, Type.JOINTS):
         raise CannotTell(f"`{name}` cannot hold such a value")
-
-
-def _cell(name: str, subscripts: tuple[int, ...]) -> str:
-    return f"{name}[{','.join(map(str, subscripts))}]" if subscripts else name
 
 
 def _is_command(line: str, debugger: Debugger) -> bool:

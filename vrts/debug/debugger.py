@@ -12,7 +12,7 @@ import numpy as np
 
 from vrts.debug.alarms import Alarms
 from vrts.debug.breakpoints import Breakpoint
-from vrts.debug.conditions.hearing import Hear, Interrupted, nobody
+from vrts.debug.conditions.hearing import Hear, nobody
 from vrts.debug.evaluating import commands_at
 from vrts.debug.passages import (
     Instant,
@@ -214,12 +214,12 @@ class Debugger:
 
     @contextmanager
     def whole(self) -> Generator[None]:
-        """Let what is done inside be done as a whole: interrupted, all is as it was before."""
+        """Let what is done inside be done as a whole: where it fails, all is as it was before."""
         run, alarms, passages, stops = self._run, self._alarms, self._passages, self._stops
         stop, trail = self.stop, list(self._trail)
         try:
             yield
-        except (KeyboardInterrupt, Interrupted):
+        except BaseException:
             self._run, self._alarms, self._passages, self._stops = run, alarms, passages, stops
             self.stop, self._trail = stop, trail
             raise
