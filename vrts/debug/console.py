@@ -157,7 +157,7 @@ class Console:
                 raise CannotTell(refused[0])
             now = self._now_of(target, frame)
             wanted = value if not target.signal else -1.0 if value else 0.0
-            if now != wanted:
+            if now is None or now != wanted:
                 raise CannotTell(f"the controller does not let `{target.shown}` be changed")
         return value_text(now)
 

@@ -10,6 +10,7 @@ from contextlib import contextmanager
 
 import numpy as np
 
+from vrts.check.task.task import Task
 from vrts.debug.alarms import Alarms
 from vrts.debug.breakpoints import Breakpoint
 from vrts.debug.conditions.hearing import Hear, nobody
@@ -37,13 +38,26 @@ __all__ = ["Debugger", "Logged", "Stop", "Way", "Why", "Wishes"]
 class Debugger:
     """One debugging session."""
 
-    def __init__(self, run: Run, dialect: Dialect, near_miss_m: float | None = None) -> None:
-        """Begin before the first step of a run that was executed to its end."""
+    def __init__(
+        self,
+        run: Run,
+        dialect: Dialect,
+        near_miss_m: float | None = None,
+        task: Task | None = None,
+    ) -> None:
+        """Begin before the first step of a run that was executed to its end.
+
+        Args:
+            run: The run.
+            dialect: Of its program.
+            near_miss_m: How near a near miss is [m]; None: as the check assumes.
+            task: What is asked for, if goals that are not reached are to be told.
+        """
         self.wishes = Wishes()
         self.dialect = dialect
         self.log: list[Logged] = []  # written since somebody last took it
         self.hear: Hear = nobody  # called now and then while stops are looked for
-        self._near_miss_m = near_miss_m
+        self._near_miss_m, self._task = near_miss_m, task
         self._first = run
         self._take(run)
         self.stop = Stop(self._entry(), Why.ENTRY)
@@ -107,9 +121,15 @@ class Debugger:
         return self._stand(Stop(passages.instant(next_), Why.STEP, process=process))
 
     def step_back(self, *, process: bool = False) -> Stop:
-        """Go back: to where the last step came from, else to the step before in this program."""
+        """Go back: to where the last step came from, else to the step before in this program.
+
+        From an alarm it leads to the step that caused it.
+        """
         if self._trail and self._trail[-1].instant < self.at:
             return self._stand(self._trail.pop())
+        caused = self._caused()
+        if caused is not None:
+            return self._stand(Stop(caused, Why.STEP))
         passages = self._passages[process]
         here = passages.following(self.at)
         begun = passages.begun[: np.searchsorted(passages.begun, here + 1)]
@@ -185,7 +205,7 @@ class Debugger:
     def take_over(self, other: "Debugger") -> Stop:
         """Begin with what another debugger has opened; the wishes stay."""
         self.dialect = other.dialect
-        self._near_miss_m = other._near_miss_m
+        self._near_miss_m, self._task = other._near_miss_m, other._task
         self._first = other._first
         return self.restart()
 
@@ -230,9 +250,23 @@ class Debugger:
         if run is getattr(self, "_run", None):
             return  # what was worked out of it still holds
         self._run = run
-        self._alarms = Alarms(run, self._near_miss_m)
+        self._alarms = Alarms(run, self._near_miss_m, self._task)
         self._passages = {of: Passages(run, process=of) for of in (False, True)}
         self._stops = Stops(run, self._passages, self._alarms, self.dialect)
+
+    def _caused(self) -> Instant | None:
+        """Return when the step that caused the alarm came next, where it stands at one."""
+        cause = self.stop.cause
+        if cause is None:
+            return None
+        causes = self._run.history.code.causes
+        which = [k for k, known in enumerate(causes) if known[:2] == cause[:2]]
+        found: list[Instant] = []
+        for passages in self._passages.values():
+            begun = passages.begun[np.isin(passages.instructions[passages.begun], which)]
+            before = begun[passages.reached[begun] < self.at.finished]
+            found += [passages.instant(int(k)) for k in before[-1:]]
+        return max(found, default=None)
 
     def _entry(self) -> Instant:
         robot = self._passages[False]

@@ -65,9 +65,10 @@ def opened(asked: Asked, near_miss_m: float | None = None) -> Opened:
     if run is None or compilation is None:
         return Opened(None, None, (), found.diagnostics, files)
     near = near_miss_m if task is None else task.near_miss
-    debugger = Debugger(run, compilation.dialect, near)
-    sources = _sources(debugger)
     hints = Hints.EDIT if task is None else task.hints
+    told = None if hints is Hints.NOTHING else task  # where things belong is a hint
+    debugger = Debugger(run, compilation.dialect, near, told)
+    sources = _sources(debugger)
     console = Console(debugger, path.parent, sources, hints)
     return Opened(debugger, console, sources, found.diagnostics, files)
 

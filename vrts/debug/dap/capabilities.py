@@ -2,9 +2,8 @@
 
 from typing import Any
 
-from vrts.debug.alarms import LABELS, Filter
+from vrts.debug.alarms import DEFAULT, LABELS, Filter
 
-DEFAULT = frozenset({Filter.CONTACT, Filter.ERROR})  # alarms that are on unless a client says so
 CAPABILITIES: dict[str, Any] = {
     "supportsConfigurationDoneRequest": True,
     "supportsFunctionBreakpoints": False,

@@ -5,6 +5,7 @@ from collections.abc import Callable, Mapping
 from vrts.debug.dap.arguments import BadRequest, Fields
 from vrts.debug.dap.session import (
     FRAMES,
+    OF_CAUSE,
     PROCESS,
     ROBOT,
     Answer,
@@ -32,6 +33,11 @@ def _stack_trace(session: Session, a: Fields) -> Answer:
     thread = a.whole("threadId", ROBOT)
     stack = session.stack(process=of_process(a))
     bodies = [_frame_body(thread * FRAMES + k, cause) for k, cause in enumerate(stack)]
+    cause = session.cause(process=of_process(a))
+    if cause is not None:  # on top, since its line is what a client shows
+        body = _frame_body(thread * FRAMES + OF_CAUSE, cause)
+        now = f"; now at step {stack[0].step}" if stack else ""
+        bodies.insert(0, {**body, "name": f"{body['name']}, the cause{now}"})
     start = a.whole("startFrame", 0)
     count = a.whole("levels", 0) or len(bodies)
     return Answer({"stackFrames": bodies[start : start + count], "totalFrames": len(bodies)})

@@ -9,10 +9,10 @@ from pathlib import Path
 from typing import Any, NamedTuple, TypeAlias
 
 from vrts.base.source import SourceFile
+from vrts.debug.alarms import DEFAULT
 from vrts.debug.breakpoints import Breakpoint
 from vrts.debug.console import Console
 from vrts.debug.dap.arguments import BadRequest, Fields
-from vrts.debug.dap.capabilities import DEFAULT
 from vrts.debug.dap.handles import Handles
 from vrts.debug.debugger import Debugger, Stop, Why
 from vrts.debug.files import Files
@@ -26,6 +26,7 @@ Event: TypeAlias = tuple[str, Json]  # its name and its body
 
 ROBOT, PROCESS = 1, 2  # threads
 FRAMES = 100_000  # numbers of frames that a thread may have
+OF_CAUSE = FRAMES - 1  # that of the step that caused an alarm
 MOST_OUTPUT = 200_000  # characters sent at once
 _REASONS = {Why.BEGIN: "entry", Why.END: "pause"}
 _WORDS = {
@@ -89,6 +90,10 @@ class Session:
         """
         thread, place = divmod(a.whole("frameId", ROBOT * FRAMES), FRAMES)
         inside = self.frames(process=thread == PROCESS)
+        if place == OF_CAUSE:  # it sees what its program sees now
+            cause = self.debugger.stop.cause
+            names = [frame.cause.program for frame in inside]
+            place = names.index(cause.program) if cause and cause.program in names else 0
         return inside[place] if place < len(inside) else None
 
     def stack(self, *, process: bool) -> list[Cause]:
@@ -100,6 +105,15 @@ class Session:
         passages = self.debugger.passages(process=process)
         over = passages.count and passages.following(self.debugger.at) == passages.count
         return [passages.cause(passages.count - 1)] if over and not found else found
+
+    def cause(self, *, process: bool) -> Cause | None:
+        """Return the step that caused the alarm where it stands, if the program is elsewhere."""
+        stop = self.debugger.stop
+        cause = stop.cause
+        if cause is None or process != stop.process:
+            return None
+        stack = self.stack(process=process)
+        return None if stack and stack[0][:2] == cause[:2] else cause
 
     # --- what is told -------------------------------------------------------------------------
 
@@ -128,7 +142,12 @@ class Session:
             return [*events, ("stopped", {**stop_body(stop), "reason": "pause"})]
         if stop.why is Why.END:
             events.append(("output", {"category": "console", "output": self._ended()}))
-        return [*events, ("stopped", stop_body(stop))]
+        body = stop_body(stop)
+        cause, stack = self.cause(process=stop.process), self.stack(process=stop.process)
+        if cause is not None:
+            now = f"; the program is at line {stack[0].span.line}" if stack else ""
+            body["text"] = f"{one_line(stop.text)}; caused by line {cause.span.line}{now}"
+        return [*events, ("stopped", body)]
 
     def over(self) -> list[Event]:
         """Go to the end; return what tells a client that was to run without debugging."""

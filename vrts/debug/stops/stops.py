@@ -15,6 +15,8 @@ from vrts.debug.stops.stop import Logged, Stop, Why, Wishes
 from vrts.engine.run import Run
 from vrts.lang.dialect import Dialect
 
+MOST_TEXTS = 4  # alarms of one instant that are told
+
 
 class _Wished(NamedTuple):
     """A place, and the breakpoint or watch that wishes it."""
@@ -134,4 +136,8 @@ def _joined(stops: Sequence[Stop], instant: Instant) -> Stop | None:
         return None
     chosen = next((stop for stop in here if stop.alarm is not None), here[0])
     same = [stop for stop in here if stop.why is chosen.why]
+    if chosen.alarm is not None:
+        texts = list(dict.fromkeys(stop.text for stop in same))
+        more = f"; and {len(texts) - MOST_TEXTS} more" if len(texts) > MOST_TEXTS else ""
+        chosen = chosen._replace(text="; ".join(texts[:MOST_TEXTS]) + more)
     return chosen._replace(ids=tuple(dict.fromkeys(id_ for stop in same for id_ in stop.ids)))

@@ -76,8 +76,18 @@ def test_the_first_contact_is_where_it_stops(client: Client) -> None:
     told = client.do("exceptionInfo", threadId=1)
     assert told["exceptionId"] == "contact"
     assert "in line 11: APPROS base2_put, 60" in told["description"], "the line that caused it"
+    assert "caused by line 11; the program is at line 12" in stopped["text"]
+    top, present = client.do("stackTrace", threadId=1)["stackFrames"][:2]
+    assert (top["line"], present["line"]) == (11, 12)
+    assert "the cause; now at step" in top["name"]
+    assert client.in_frame(top["id"], "DX(HERE)") == client.in_frame(present["id"], "DX(HERE)")
     time_s = float(client.shown()["Time"]["time"]["value"].split()[0])
     client.go("stepBack")
+    assert client.line() == 11, "one step back stands on the cause"
+    client.go("next")
+    assert client.line() == 12, "one step forward goes on from it"
+    client.go("stepBack")
+    assert client.line() == 11
     assert float(client.shown()["Time"]["time"]["value"].split()[0]) < time_s
     assert "under way" in client.shown()["Time"]
 
