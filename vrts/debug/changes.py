@@ -1,17 +1,24 @@
-"""When something changes: a variable, a location, a signal."""
+"""When something changes: a variable, a location, a signal, an argument of one call."""
 
 import re
+from bisect import bisect_left
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from vrts.debug.evaluating import CannotTell
+from vrts.debug.frames import Frame
 from vrts.debug.passages import Instant, instant_of
+from vrts.engine.history import ProgramHistory
 from vrts.engine.memory.cells import UNDEFINED, Cell, Content, Undefined, cells_of
 from vrts.engine.memory.events import SignalChanged
+from vrts.engine.memory.trace import Activation
 from vrts.engine.run import Run
+from vrts.ir.ranges import INPUTS, INTERNAL, OUTPUTS
 from vrts.lang.names import key
 from vrts.monitor.listings import value_text
 
 _SIGNAL = re.compile(r"(?:SIG|SIGNAL)?\s*\(?\s*(\d{1,5})\s*\)?", re.IGNORECASE)
+_OF_CALL = re.compile(r"(?P<name>[^@]{1,80}) @ (?P<program>[\w.]{1,40}) (?P<call>\d{1,9})")
 
 
 class Change(NamedTuple):
@@ -21,14 +28,58 @@ class Change(NamedTuple):
     text: str  # what it was and what it is
 
 
+class Watchable(NamedTuple):
+    """Something whose changes may be watched."""
+
+    name: str  # as `changes` takes it
+    words: str  # what it is, for people
+
+
+def watchable(run: Run, name: str, frame: Frame | None = None) -> Watchable:
+    """Return what a typed name is to be watched as, where the debugger stands.
+
+    An argument or automatic variable is watched for the one call that the frame stands for.
+
+    Args:
+        run: What happened.
+        name: As somebody typed it.
+        frame: Whose arguments and automatic variables hide what is global; None: nobody's.
+
+    Raises:
+        CannotTell: There is nothing of this name to watch.
+    """
+    wanted = key(name.strip().replace(" ", ""))
+    base = wanted.partition("[")[0]
+    if frame is not None and frame.activation is not None and base in frame.declared(run):
+        history = run.history.process if frame.process else run.history.robot
+        calls = _calls(run, history, frame.cause.program)
+        number = next(k for k, (_, a) in enumerate(calls, 1) if a is frame.activation)
+        words = f"`{wanted}` of `{frame.cause.program}`, in its {_ordinal(number)} call only"
+        return Watchable(f"{wanted} @ {frame.cause.program} {number}", words)
+    signal = _SIGNAL.fullmatch(name.strip())
+    if signal is not None:
+        number = int(signal[1])
+        if not any(number in known for known in (INPUTS, OUTPUTS, INTERNAL)):
+            raise CannotTell(f"there is no signal {number}")
+        return Watchable(f"SIG({number})", f"signal {number}")
+    for bound in run.history.memory.bound:
+        if wanted in (bound.name, *(cell.name for cell in cells_of(bound))):
+            return Watchable(wanted, f"`{wanted}`")
+    raise CannotTell(f"there is no variable or signal `{name.strip()[:60]}` here")
+
+
 def changes(run: Run, name: str) -> list[Change]:
     """Return every change of what a name stands for, in order.
 
     Args:
         run: What happened.
         name: A variable as states list it (`x`, `$s`, `a[3]`, `#safe`), an array (`a`: any of its
-            elements), or a signal (`1001`, `SIG(1001)`).
+            elements), a signal (`1001`, `SIG(1001)`), or what `watchable` names: `n @ twice 2` is
+            the argument `n` in the second call of `twice`.
     """
+    of_call = _OF_CALL.fullmatch(name)
+    if of_call is not None:
+        return sorted(_of_call(run, of_call["name"], of_call["program"], int(of_call["call"])))
     signal = _SIGNAL.fullmatch(name.strip())
     if signal is not None:
         return list(_of_signal(run, int(signal[1])))
@@ -38,7 +89,7 @@ def changes(run: Run, name: str) -> list[Change]:
         if bound.name == wanted or wanted.startswith(f"{bound.name}["):
             for cell in cells_of(bound):
                 if wanted in (bound.name, cell.name):
-                    found += _of_cell(run, cell)
+                    found += _of_cell(run, cell, cell.name)
     return sorted(found)
 
 
@@ -49,16 +100,67 @@ def _of_signal(run: Run, signal: int) -> Iterator[Change]:
             yield Change(Instant(event.time_s, number), f"signal {signal} is {state}")
 
 
-def _of_cell(run: Run, cell: Cell) -> Iterator[Change]:
-    before: Content = UNDEFINED
-    for since in cell.since:
-        if since > run.statements:
+def _of_cell(
+    run: Run, cell: Cell, name: str, begin: int = 0, end: int | None = None
+) -> Iterator[Change]:
+    """Yield the changes of a cell after so many statements, before or at so many others."""
+    before: Content = cell.at(begin) if begin else UNDEFINED
+    for since in cell.since[bisect_left(cell.since, begin + 1) if begin else 0 :]:
+        if since > (run.statements if end is None else end):
             return
         value = cell.at(since)
         if value != before:
-            text = f"{cell.name}: {_shown(before)} -> {_shown(value)}"
-            yield Change(instant_of(run, since), text)
+            yield Change(instant_of(run, since), f"{name}: {_shown(before)} -> {_shown(value)}")
         before = value
+
+
+def _of_call(run: Run, name: str, program: str, call: int) -> Iterator[Change]:
+    """Yield the changes of an argument or automatic variable while one call goes on."""
+    for history in (run.history.robot, run.history.process):
+        calls = _calls(run, history, program)
+        if not 1 <= call <= len(calls):
+            continue
+        begin, activation = calls[call - 1]
+        known = run.history.code.programs[activation.program]
+        names = [slot.name for slot in (*known.formals, *known.autos)]
+        base = name.partition("[")[0]
+        if base not in names:
+            continue
+        bound = activation.slots[names.index(base)]
+        end = _left(run, history, begin, activation)
+        for cell in cells_of(bound):
+            shown = base if isinstance(bound, Cell) else base + cell.name[cell.name.find("[") :]
+            if name in (base, shown):
+                yield from _of_cell(run, cell, shown, begin, end)
+
+
+def _calls(run: Run, history: ProgramHistory, program: str) -> list[tuple[int, Activation]]:
+    """Return every call of a program: after how many statements it was entered, and itself."""
+    trace, programs = history.trace, run.history.code.programs
+    found: dict[int, tuple[int, Activation]] = {}
+    for since, activation in zip(trace.changed, trace.activations, strict=True):
+        if since > run.statements:
+            break
+        if activation is not None and programs[activation.program].name == program:
+            found.setdefault(id(activation), (since, activation))
+    return list(found.values())
+
+
+def _left(run: Run, history: ProgramHistory, begin: int, activation: Activation) -> int:
+    """Return after how many statements a call was over."""
+    trace = history.trace
+    for k in range(bisect_left(trace.changed, begin), len(trace.changed)):
+        inside = trace.activations[k]
+        while inside is not None and inside is not activation:
+            inside = inside.caller
+        if inside is None and trace.changed[k] > begin:
+            return min(trace.changed[k], run.statements)
+    return run.statements
+
+
+def _ordinal(number: int) -> str:
+    ending = {1: "st", 2: "nd", 3: "rd"}.get(number % 10, "th")
+    return f"{number:,}{'th' if number % 100 in (11, 12, 13) else ending}"
 
 
 def _shown(value: Content) -> str:

@@ -4,9 +4,10 @@ from collections.abc import Callable, Mapping
 
 from vrts.debug.alarms import Filter
 from vrts.debug.breakpoints import Breakpoint, Watch, is_hit_rule, lines_with_steps, resolve
-from vrts.debug.changes import changes
+from vrts.debug.changes import changes, watchable
 from vrts.debug.dap.arguments import Fields
 from vrts.debug.dap.session import Answer, Json, Session, source_path
+from vrts.debug.evaluating import CannotTell
 
 _HITS = "how often: a number, or `>= 3`, `% 5` and the like"
 
@@ -55,17 +56,23 @@ def _set_exception_breakpoints(session: Session, a: Fields) -> Answer:
 def _data_breakpoint_info(session: Session, a: Fields) -> Answer:
     name = a.text("name")
     reference = a.whole("variablesReference", 0)
+    frame = session.frame(a)
     if reference:
         frame = session.handles.frame(reference)
-        if frame is not None:
-            words = "what is watched is known everywhere: a variable, a location or a signal"
-            return Answer({"dataId": None, "description": words})
         name = session.handles.named(reference, name).variable or name
     debugger = session.debugger
-    if name not in debugger.state.variables and not changes(debugger.run, name):
-        return Answer({"dataId": None, "description": f"`{name}` never changes"})
+    try:
+        found = watchable(debugger.run, name, frame)
+    except CannotTell as problem:
+        return Answer({"dataId": None, "description": str(problem)})
+    never = "" if changes(debugger.run, found.name) else "; as it goes now it never changes"
     return Answer(
-        {"dataId": name, "description": name, "accessTypes": ["write"], "canPersist": True}
+        {
+            "dataId": found.name,
+            "description": f"{found.words}{never}",
+            "accessTypes": ["write"],
+            "canPersist": True,
+        }
     )
 
 

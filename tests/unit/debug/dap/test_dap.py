@@ -362,6 +362,22 @@ def test_each_program_has_its_own_variables(client: Client, tmp_path: Path) -> N
     assert client.in_frame(client.do("stackTrace", threadId=2)["stackFrames"][0]["id"], "c") == "42"
 
 
+def test_arguments_are_watched_in_the_call_that_is_looked_at(client: Client, program: Path) -> None:
+    client.launch(program, [15], dialect="val2+")
+    client.go("continue")
+    client.go("continue")
+    assert "there is no signal 99" in client.do("dataBreakpointInfo", name="SIG(99)")["description"]
+    inner, outer = (f["id"] for f in client.do("stackTrace", threadId=1)["stackFrames"])
+    assert client.do("dataBreakpointInfo", name="a", frameId=outer)["dataId"] is None
+    info = client.do("dataBreakpointInfo", name="b", frameId=inner)
+    assert info["description"] == "`b` of `twice`, in its 2nd call only"
+    client.do("setBreakpoints", source={"path": str(program)}, breakpoints=[])
+    client.do("setDataBreakpoints", breakpoints=[{"dataId": info["dataId"]}])
+    stopped = client.go("continue")
+    assert (stopped["reason"], stopped["text"]) == ("data breakpoint", "b: 2 -> 4")
+    assert client.go("continue")["reason"] == "pause", "the other calls have a `b` of their own"
+
+
 def test_changes_are_chosen_by_conditions_and_hits(client: Client, program: Path) -> None:
     client.launch(program, dialect="val2+")
     client.do("setDataBreakpoints", breakpoints=[{"dataId": "m", "condition": "m > 4"}])
