@@ -11,7 +11,16 @@ Examples:
   vrts schema result
 """
 
-RESULTS = ("result", "class", "similarity", "decisions", "decided", "futures", "identified")
+RESULTS = (
+    "result",
+    "class",
+    "similarity",
+    "decisions",
+    "decided",
+    "futures",
+    "debug",
+    "identified",
+)
 
 
 @click.command(name="schema", epilog=EPILOG)
@@ -29,8 +38,8 @@ def command(what: str) -> None:
     staff/results.json, all rows with names, deductions and final marks; `similarity`,
     staff/similarity.json, which programs share what few others have; `decisions`, one line of a
     grader's file in staff/decisions; `decided`, what `vrts grade decisions --format json` prints;
-    `futures`, what `vrts prove --format json` prints, and `identified`, what `vrts validate
-    --identify --json` prints of one log.
+    `futures`, what `vrts prove --format json` prints; `debug`, one line of what `vrts debug --json`
+    prints, and `identified`, what `vrts validate --identify --json` prints of one log.
     """
     if what in KINDS:
         out(input_schema(what))

@@ -54,6 +54,11 @@ class Console:
         """Read lines with the programs that another console has in memory."""
         self._monitor = other._monitor
 
+    @property
+    def reads_on(self) -> bool:
+        """Whether the next line belongs to a command that asks for more: EDIT, POINT."""
+        return not self._monitor.at_commands
+
     def enter(self, line: str, frame: Frame | None = None) -> str:
         """Take a line; return what there is to show.
 

@@ -9,6 +9,7 @@ from vrts.marking.by_hand.decisions.records import Decision
 from vrts.marking.result import Result
 from vrts.marking.row import Class
 from vrts.marking.similarity.ranking import Ranking
+from vrts.report.formats.debug_schema import Debugged
 from vrts.report.formats.futures_schema import Futures
 
 SCHEMAS: dict[str, tuple[Any, str]] = {
@@ -18,6 +19,7 @@ SCHEMAS: dict[str, tuple[Any, str]] = {
     "decisions": (Decision, "A line of a grader's file in `staff/decisions`, after the first"),
     "decided": (Listing, "What `vrts grade decisions --format json` prints"),
     "futures": (Futures, "Every future of a VAL-II program, as `vrts prove` found it"),
+    "debug": (Debugged, "A line of what `vrts debug --json` prints: what one command did"),
 }
 
 

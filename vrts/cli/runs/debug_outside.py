@@ -3,17 +3,23 @@
 import signal
 import sys
 import tempfile
+from collections.abc import Generator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from vrts.cli.shared.console import sentence_of
 from vrts.cli.shared.rerun_window import RerunWindow
-from vrts.cli.shared.run_page import assessed, open_page, write_page
+from vrts.cli.shared.run_page import assessed, opens_in_window, write_page
 
 if TYPE_CHECKING:
     from vrts.debug.opening import Asked, Opened
+    from vrts.debug.scripted.recording import Recorder
     from vrts.debug.terminal.keys import Outside
     from vrts.engine.run import Run
     from vrts.report.assessment import Assessment
+
+NO_WINDOWS = "no browser with a window was found here"
 
 
 class DebugOutside:
@@ -43,15 +49,19 @@ class DebugOutside:
         """Return what the keys call."""
         from vrts.debug.terminal.keys import Outside
 
-        return Outside(self._page, self._rerun, self._restart, lambda: self._files.news())
+        return Outside(self._page, self._rerun, lambda: self._files.news())
 
     def _page(self, time_s: float) -> str:
         """Write the replay of the run as it goes now, and open it at a time [s]."""
         found = self._assessed()
-        path = self._path(f"{found.identifier}.html")
-        write_page(found, path)
-        open_page(path, time_s)
-        return f"{path} at {time_s:.3f} s"
+        try:
+            path = self._path(f"{found.identifier}.html")
+            write_page(found, path)
+            opens = opens_in_window(path, time_s)
+        except OSError as problem:
+            return f"cannot show it: {sentence_of(problem)}"
+        where = f"{path} at {time_s:.3f} s"
+        return where if opens else f"{NO_WINDOWS}: it is in {where}"
 
     def _rerun(self, time_s: float) -> str:
         """Let the Rerun viewer show the run as it goes now, at a time [s]."""
@@ -61,20 +71,25 @@ class DebugOutside:
             return "the Rerun viewer is not installed here"
         assert self._opened.debugger is not None
         run = self._opened.debugger.run
-        if run is self._recorded and self._window.is_open and self._window.stand_at(time_s):
-            return f"the Rerun viewer stands at {time_s:.3f} s"
-        found = self._assessed()
-        path = self._path(f"{found.identifier}.rrd")
-        write_recording(found, path)
-        if not self._window.show(path, time_s):
-            return f"the Rerun viewer could not show {path}; it needs a display"
+        try:
+            if run is self._recorded and self._window.is_open and self._window.stand_at(time_s):
+                return f"the Rerun viewer stands at {time_s:.3f} s"
+            found = self._assessed()
+            path = self._path(f"{found.identifier}.rrd")
+            write_recording(found, path)
+            if not self._window.show(path, time_s):
+                return f"the Rerun viewer could not show {path}; it needs a display"
+        except OSError as problem:
+            return f"cannot show it: {sentence_of(problem)}"
         self._recorded = run
         return f"{path} at {time_s:.3f} s"
 
-    def _restart(self) -> str:
+    def restart(self) -> str:
         """Begin again, with the files as they are now if they have changed."""
         from vrts.debug.opening import opened, why_not
-        from vrts.pipeline.files import CannotRead
+        from vrts.debug.opening_saved import opened_run
+        from vrts.engine.storage.recognise import is_saved_run
+        from vrts.pipeline.files import CannotRead, read_bytes
         from vrts.pipeline.refused import Refused
 
         debugger, console = self._opened.debugger, self._opened.console
@@ -84,11 +99,16 @@ class DebugOutside:
             debugger.restart()
             return ""
         try:
-            again = opened(self._asked)
+            if is_saved_run(read_bytes(self._asked.program)):
+                again = opened_run(self._asked.program)
+            else:
+                again = opened(self._asked)
         except CannotRead as problem:
             return f"still as it was: {problem}"
         except Refused as refused:
             return f"still as it was: {why_not(refused.diagnostics)}"
+        except OSError as problem:
+            return f"still as it was: {sentence_of(problem)}"
         if again.debugger is None or again.console is None:
             return f"still as it was: {why_not(again.diagnostics)}"
         debugger.take_over(again.debugger)
@@ -102,10 +122,28 @@ class DebugOutside:
         return assessed(name.stem, name.name, self._opened.debugger.run)
 
     def _path(self, name: str) -> Path:
-        if self._folder is None:
+        if self._folder is None or not self._folder.is_dir():
             self._folder = Path(tempfile.mkdtemp(prefix="vrts-"))
         return self._folder / name
 
 
 def _leave(number: int, _: object) -> None:
     sys.exit(128 + number)
+
+
+@contextmanager
+def recorder(file: Path | None) -> "Generator[Recorder]":
+    """Give what keeps the commands of a session in a file, as they come; None: nothing does."""
+    from vrts.debug.scripted.recording import Recorder
+
+    if file is None:
+        yield Recorder(None)
+        return
+    with file.open("w", encoding="utf-8", buffering=1) as opened:
+        opened.write("# a session of vrts debug; `vrts debug PROGRAM --commands FILE` repeats it\n")
+
+        def write(line: str) -> None:
+            opened.write(f"{line}\n")
+            opened.flush()
+
+        yield Recorder(write, str(file))

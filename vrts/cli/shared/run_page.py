@@ -1,5 +1,6 @@
 """A run that is there already, as a page with a replay."""
 
+import os
 import webbrowser
 from collections.abc import Sequence
 from pathlib import Path
@@ -59,6 +60,23 @@ def write_page(
 
 def open_page(path: Path, time_s: float | None = None) -> None:
     """Open a page in the browser, at a time [s] of its replay if one is given."""
-    at = "" if time_s is None else f"#t={time_s:.3f}"
-    if not webbrowser.open(path.resolve().as_uri() + at):
+    if not webbrowser.open(_address(path, time_s)):
         fail("no browser was found here", (AGAIN,), status=WRONG)
+
+
+def opens_in_window(path: Path, time_s: float) -> bool:
+    """Open a page in a browser at a time [s]; return whether there is one with a window.
+
+    A browser that draws in the terminal is none: something else fills the terminal already.
+    """
+    try:
+        browser = webbrowser.get()
+    except webbrowser.Error:
+        return False
+    in_terminal = type(browser) is webbrowser.GenericBrowser and "BROWSER" not in os.environ
+    return not in_terminal and browser.open(_address(path, time_s))
+
+
+def _address(path: Path, time_s: float | None) -> str:
+    at = "" if time_s is None else f"#t={time_s:.3f}"
+    return path.resolve().as_uri() + at

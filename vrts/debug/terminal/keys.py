@@ -1,20 +1,27 @@
 """Keys of the terminal debugger: what each does to where it stands, without any terminal."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import NamedTuple
 
-from vrts.debug.alarms import LABELS
-from vrts.debug.breakpoints import Breakpoint, Watch, resolve
-from vrts.debug.console import Console
-from vrts.debug.debugger import Debugger, Way
-from vrts.debug.evaluating import CannotTell
-from vrts.debug.terminal.panel import ALARM_KEYS, View, current, source_of
-from vrts.ir.commands import GoTo
+from vrts.debug.alarms import Filter
+from vrts.debug.breakpoints import Breakpoint, is_hit_rule, resolve
+from vrts.debug.scripted.breaking import Asked, read_breakpoint, written
+from vrts.debug.scripted.commander import carry_out
+from vrts.debug.scripted.names import bases, wrong_condition
+from vrts.debug.scripted.places import current, source_of
+from vrts.debug.scripted.recording import Recorder
+from vrts.debug.scripted.session import Session
+from vrts.debug.scripted.table import COMMANDS, help_lines
+from vrts.debug.terminal.key_table import KEYS, help_of_keys
+from vrts.debug.terminal.line import MOST_KEPT, Line
+from vrts.debug.terminal.view import Page, Question, View
 from vrts.report.plain import visible
 
 LEAP = 0.1  # [s]
 PAGE = 10  # lines
-MOST_TYPED = 200  # characters
+_SCROLL = {"up": -1, "down": 1, "page up": -PAGE, "page down": PAGE, " ": PAGE}
+_CLOSE = frozenset({"q", "?", "escape", "enter"})
+_OF_LINES = frozenset({"b", "B", "g", "j", ":", "a", "w"})  # which keep the line chosen
 
 
 class Outside(NamedTuple):
@@ -22,192 +29,262 @@ class Outside(NamedTuple):
 
     page: Callable[[float], str]  # opens a time [s] in 3D in the browser
     rerun: Callable[[float], str]  # ... in the Rerun viewer
-    restart: Callable[[], str]  # begins again, with the files as they are now
     news: Callable[[], str]  # tells what has changed on disk
 
 
 class Keyboard:
-    """Takes keys one by one."""
+    """Takes keys one by one; all that moves or changes is a command, and can be recorded."""
 
-    def __init__(self, debugger: Debugger, console: Console, view: View, outside: Outside) -> None:
-        """Take what the keys act on."""
-        self._debugger = debugger
-        self._console = console
+    def __init__(
+        self, session: Session, view: View, outside: Outside, recorder: Recorder | None = None
+    ) -> None:
+        """Take what the keys act on, and what keeps the commands."""
+        self._session = session
+        self._debugger = session.debugger
         self._view = view
         self._news = outside.news
-        self._answer: Callable[[str], None] | None = None  # takes the line that is typed
-        self._next_id = 1
+        self._recorder = recorder or Recorder(None)
+        self._typed: dict[str, list[str]] = {}  # lines by the words that asked for them
         self._commands: dict[str, Callable[[], object]] = {
-            "n": lambda: self._step(Way.OVER),
-            "s": lambda: self._step(Way.INTO),
-            "o": lambda: self._step(Way.OUT),
-            "N": self._back,
-            "S": self._back,
-            "c": debugger.go_on,
-            "C": debugger.reverse,
-            "t": lambda: debugger.tick(1),
-            "T": lambda: debugger.tick(-1),
-            "right": lambda: debugger.seek(debugger.at.time_s + LEAP),
-            "left": lambda: debugger.seek(debugger.at.time_s - LEAP),
-            "home": lambda: debugger.seek(0.0),
-            "end": lambda: debugger.seek(debugger.run.horizon_s),
-            "r": lambda: self._say(outside.restart()),
+            "right": lambda: self._do(f"at {self._debugger.at.time_s + LEAP!r}"),
+            "left": lambda: self._do(f"at {max(self._debugger.at.time_s - LEAP, 0.0)!r}"),
             "b": self._breakpoint,
-            "g": self._run_to,
-            "j": self._jump,
-            "p": self._other_program,
-            "v": lambda: self._say(outside.page(debugger.at.time_s)),
-            "V": lambda: self._say(outside.rerun(debugger.at.time_s)),
-            "a": lambda: self._ask(f"alarms that stop ({_alarm_words()}): ", self._alarms),
-            "w": lambda: self._ask("stop when this changes: ", self._watch),
-            "y": lambda: self._say(*self._console.why().split("\n")),
-            ":": lambda: self._ask(":", self._command),
+            "B": self._form,
+            "g": lambda: self._of_line("to"),
+            "j": lambda: self._of_line("jump"),
+            "v": lambda: self._say("", [outside.page(self._debugger.at.time_s)]),
+            "V": lambda: self._say("", [outside.rerun(self._debugger.at.time_s)]),
+            "a": self._alarms,
+            "w": self._watch,
+            ":": self._line,
+            "?": self._help,
         }
+        for key in KEYS:
+            for name in key.names:
+                if key.command and name not in self._commands:
+                    self._commands[name] = lambda command=key.command: self._do(command)
 
     def press(self, key: str) -> bool:
         """Take a key; return whether that was the end."""
         view = self._view
-        if view.asked is not None:
-            self._type(key)
+        if view.question is not None:
+            self._type(view.question, key)
             return False
+        if view.page is not None:
+            if key in _SCROLL:
+                view.scroll(_SCROLL[key])
+                return False
+            view.page = None
+            if key in _CLOSE:
+                return False
         if key == "q":
             return True
-        view.help = key == "?" and not view.help
-        if key in ("up", "down", "page up", "page down"):
-            self._choose(-1 if "up" in key else 1, PAGE if "page" in key else 1)
+        if key in _SCROLL and key != " ":
+            self._choose(_SCROLL[key])
             return False
         deed = self._commands.get(key)
         if deed is not None:
             view.said = []
-            if key not in ("b", "g", "j", ":", "a", "w"):
+            if key not in _OF_LINES:
                 view.cursor = None
-            with self._debugger.whole():
-                deed()
+            deed()
             self._tell()
         return False
+
+    def paste(self, text: str) -> None:
+        """Take pasted text where a line is typed."""
+        if self._view.question is not None:
+            self._view.question.line.insert(text)
+
+    def seek(self, time_s: float) -> None:
+        """Go to a time [s] that was pointed at."""
+        if self._view.question is None and self._view.page is None:
+            self._do(f"at {time_s!r}")
 
     def interrupted(self) -> bool:
         """Give up what is under way, or the line that is typed; that is never the end."""
         view = self._view
-        if view.asked is None:
-            self._say("stopped: nothing is changed; q or Ctrl-D leaves")
-        view.asked, view.typed, self._answer = None, "", None
+        if view.question is None:
+            self._say("", ["stopped: nothing is changed; q or Ctrl-D leaves"])
+        view.question, view.page = None, None
         return False
+
+    def failed(self, problem: Exception) -> None:
+        """Say that something went wrong that never should: the session goes on."""
+        view = self._view
+        view.question, view.page = None, None
+        kind = type(problem).__name__
+        words = f"that failed, and nothing is changed: {kind}: {problem}"
+        self._say("", [words[:1000], "this is a fault of vrts: please report it"])
 
     # --- deeds --------------------------------------------------------------------------------
 
-    def _step(self, way: Way) -> None:
-        self._debugger.step(way, process=self._view.process)
-
-    def _back(self) -> None:
-        self._debugger.step_back(process=self._view.process)
-
-    def _choose(self, direction: int, lines: int) -> None:
-        source = source_of(self._debugger, self._view)
-        cause = current(self._debugger, process=self._view.process)
-        if source is None or cause is None:
-            return
-        line = (self._view.cursor or cause.span.line) + direction * lines
-        self._view.cursor = min(max(line, 1), len(source.line_starts))
-
-    def _line(self) -> tuple[str, int] | None:
-        source = source_of(self._debugger, self._view)
-        cause = current(self._debugger, process=self._view.process)
-        if source is None or cause is None:
-            return None
-        return source.name, self._view.cursor or cause.span.line
-
-    def _breakpoint(self) -> None:
-        place = self._line()
-        found = place and resolve(self._debugger.run.history.code, *place)
-        if place is None or not found:
-            self._say("no step of a program follows here")
-            return
-        wishes = self._debugger.wishes
-        there = [
-            point for point in wishes.lines if (point.source, point.line) == (place[0], found.line)
-        ]
-        if there:
-            wishes.lines = [point for point in wishes.lines if point not in there]
-        else:
-            wishes.lines = [*wishes.lines, Breakpoint(self._next_id, place[0], found.line)]
-            self._next_id += 1
-
-    def _run_to(self) -> None:
-        place = self._line()
-        if place is not None:
-            self._debugger.run_to(*place)
+    def _do(self, line: str) -> None:
+        done = carry_out(self._session, line)
+        lost = self._recorder.add(done)
+        rows = [f"{row.time_s:.3f} s: {row.text}" for row in (*done.log, *done.events)]
+        self._say(line, [*rows, *done.said, *([lost] if lost else [])])
+        if done.moved and done.ok:
             self._view.cursor = None
 
-    def _jump(self) -> None:
-        place = self._line()
-        found = place and resolve(self._debugger.run.history.code, *place)
-        if not found:
-            return
-        cause = self._debugger.run.history.code.causes[min(found.instructions)]
-        now = current(self._debugger, process=self._view.process)
-        if now is None or now.program != cause.program:
-            self._say("only a step of the program that is being executed can come next")
-            return
-        refused = self._debugger.change([GoTo(cause.step, self._view.process)])
-        self._say(*refused)
-        self._view.cursor = None
+    def _choose(self, lines: int) -> None:
+        source = source_of(self._debugger, process=self._session.process)
+        cause = current(self._debugger, process=self._session.process)
+        if source is not None and cause is not None:
+            line = (self._view.cursor or cause.span.line) + lines
+            self._view.cursor = min(max(line, 1), len(source.line_starts))
 
-    def _other_program(self) -> None:
-        if self._debugger.passages(process=True).count:
-            self._view.process = not self._view.process
+    def _chosen(self) -> int | None:
+        cause = current(self._debugger, process=self._session.process)
+        return self._view.cursor or (cause.span.line if cause is not None else None)
+
+    def _of_line(self, command: str) -> None:
+        line = self._chosen()
+        if line is not None:
+            self._do(f"{command} {line}")
+
+    def _point(self) -> tuple[int, Breakpoint | None] | None:
+        """Return the line at which a breakpoint may stand, and the one that is there."""
+        line = self._chosen()
+        source = source_of(self._debugger, process=self._session.process)
+        code = self._debugger.run.history.code
+        found = None if line is None or source is None else resolve(code, source.name, line)
+        if found is None or source is None:
+            self._say("", ["no step of a program follows here"])
+            return None
+        wishes = self._debugger.wishes
+        there = (p for p in wishes.lines if (p.source, p.line) == (source.name, found.line))
+        return found.line, next(there, None)
+
+    def _breakpoint(self) -> None:
+        found = self._point()
+        if found is not None:
+            self._do(f"unbreak {found[0]}" if found[1] else f"break {found[0]}")
+
+    def _form(self) -> None:
+        found = self._point()
+        if found is None:
+            return
+        line, there = found
+        known = (there.condition, there.hits, there.log) if there else ("", "", "")
+        texts: list[str] = []
+
+        def ask() -> None:
+            words, hint, _ = _FORM[len(texts)]
+            self._ask(words, take, [f"breakpoint at line {line}: {hint}"], known[len(texts)])
+
+        def take(text: str) -> None:
+            words, hint, wrong = _FORM[len(texts)]
+            problem = wrong(self._session, text)
+            if problem:
+                self._ask(words, take, [problem, hint], text)
+                return
+            texts.append(text.strip())
+            if len(texts) < len(_FORM):
+                ask()
+                return
+            command = written(line, *texts)
+            if read_breakpoint(command) == Asked("", line, *texts):
+                self._do(f"break {command}")
+            else:
+                self._say("", ["a breakpoint reads `hits` and `log` as its own words: rename them"])
+
+        ask()
+
+    def _alarms(self) -> None:
+        filters = self._debugger.wishes.filters
+        on = " ".join(kind.value for kind in Filter if kind in filters)
+        words = [*(kind.value for kind in Filter), "all", "none"]
+        hints = ["which alarms stop? " + ", ".join(words)]
+        self._ask("alarms:", self._take_alarms, hints, f"{on} " if on else "", lambda: words)
+
+    def _take_alarms(self, text: str) -> None:
+        self._do(f"alarms {text.strip() or 'none'}")
+
+    def _watch(self) -> None:
+        names = [watch.name for watch in self._debugger.wishes.watches]
+        hints = ["stop when what changes? A variable, a location, or a signal: `SIG(1001)`"]
+        if names:
+            hints.append(f"watched: {', '.join(names)}; one of them again ends that")
+        self._ask("watch:", self._take_watch, hints, complete=lambda: bases(self._debugger))
+
+    def _take_watch(self, text: str) -> None:
+        name = text.strip()
+        if name:
+            known = [watch.name for watch in self._debugger.wishes.watches]
+            self._do(f"unwatch {name}" if name in known else f"watch {name}")
+
+    def _line(self) -> None:
+        if self._session.console.reads_on:
+            self._ask("more:", self._do, ["the command before asks for more"])
+        elif self._debugger.asks:
+            hints = ["the program waits for a line of the terminal"]
+            self._ask("answer:", lambda text: self._do(f"answer {text}"), hints)
         else:
-            self._say("there is no process control program")
+            hints = ["`help` lists the commands; Tab completes words"]
+            self._ask(":", self._take_command, hints, complete=self._words)
 
-    def _alarms(self, text: str) -> None:
-        self._debugger.wishes.filters = frozenset(kind for key, kind in ALARM_KEYS if key in text)
+    def _take_command(self, text: str) -> None:
+        if text.strip():
+            self._do(text.strip())
 
-    def _watch(self, text: str) -> None:
-        wishes, name = self._debugger.wishes, text.strip()
-        others = [watch for watch in wishes.watches if watch.name != name]
-        if name and len(others) == len(wishes.watches):
-            others.append(Watch(self._next_id, name))
-            self._next_id += 1
-        wishes.watches = others
-        self._say("stops at changes of: " + (", ".join(w.name for w in others) or "nothing"))
+    def _words(self) -> Iterable[str]:
+        return {*(entry.word for entry in COMMANDS), *bases(self._debugger)}
 
-    def _command(self, text: str) -> None:
-        try:
-            shown = self._console.enter(text)
-        except CannotTell as problem:
-            shown = str(problem)
-        self._say(*shown.rstrip("\n").split("\n"))
+    def _help(self) -> None:
+        commands = [f"  {line}" for line in help_lines()]
+        lines = [*help_of_keys(), "", "Commands, typed after `:`", *commands]
+        self._view.page = Page("All keys and commands", lines)
 
     # --- lines typed --------------------------------------------------------------------------
 
-    def _ask(self, words: str, answer: Callable[[str], None]) -> None:
-        self._view.asked, self._view.typed, self._answer = words, "", answer
+    def _ask(
+        self,
+        words: str,
+        answer: Callable[[str], None],
+        hints: list[str] | None = None,
+        text: str = "",
+        complete: Callable[[], Iterable[str]] = tuple,
+    ) -> None:
+        before = self._typed.setdefault(words, [])
+        self._view.question = Question(words, Line(text, before, complete), answer, hints or [])
 
-    def _type(self, key: str) -> None:
-        view = self._view
-        if key in ("enter", "escape"):
-            answer, text = self._answer, view.typed
-            view.asked, view.typed, self._answer = None, "", None
-            if key == "enter" and answer is not None:
-                with self._debugger.whole():
-                    answer(text)
-        elif key == "backspace":
-            view.typed = view.typed[:-1]
-        elif key.isprintable() and len(key) == 1 and len(view.typed) < MOST_TYPED:
-            view.typed += key
+    def _type(self, question: Question, key: str) -> None:
+        if key not in ("enter", "escape"):
+            question.line.press(key)
+            return
+        self._view.question = None
+        if key == "escape":
+            return
+        text = question.line.text
+        before = self._typed[question.words]
+        if text.strip() and before[-1:] != [text]:
+            before.append(text)
+            del before[:-MOST_KEPT]
+        self._view.said = []
+        question.answer(text)
+        self._tell()
 
-    def _say(self, *lines: str) -> None:
-        self._view.said = [visible(line) for line in lines if line]
+    def _say(self, title: str, lines: Iterable[str]) -> None:
+        self._view.say(title, [visible(line) for line in lines if line])
 
     def _tell(self) -> None:
-        """Show what was logged on the way, and what has changed on disk."""
-        log = self._debugger.log
-        told = [f"{one.instant.time_s:.3f} s: {one.text}" for one in log]
-        log.clear()
+        """Show what has changed on disk."""
         news = self._news()
-        if told or news:
-            self._say(*told, news)
+        if news:
+            self._say("", [*self._view.said, news])
 
 
-def _alarm_words() -> str:
-    return ", ".join(f"{key} {LABELS[kind].lower()}" for key, kind in ALARM_KEYS)
+def _no_hits(session: Session, text: str) -> str:
+    return "" if is_hit_rule(text) else f"`{text}` says not which hits count"
+
+
+_FORM: tuple[tuple[str, str, Callable[[Session, str], str]], ...] = (
+    (
+        "condition:",
+        "stop only where this is not zero, such as `i > 3`; empty: always",
+        lambda session, text: wrong_condition(session.debugger, text),
+    ),
+    ("hits:", "which hits count: `5`, `>= 5`, `% 3`; empty: every one", _no_hits),
+    ("log:", "write this and do not stop, such as `i is {i}`; empty: stop", lambda _, __: ""),
+)

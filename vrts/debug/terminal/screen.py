@@ -11,11 +11,13 @@ from prompt_toolkit.layout import FormattedTextControl, Layout, Window
 from prompt_toolkit.mouse_events import MouseEvent, MouseEventType
 from prompt_toolkit.styles import Style
 
-from vrts.debug.console import Console
-from vrts.debug.debugger import Debugger
+from vrts.debug.scripted.recording import Recorder
+from vrts.debug.scripted.session import Session
+from vrts.debug.terminal.fitting import Row
 from vrts.debug.terminal.interrupting import interruptible
 from vrts.debug.terminal.keys import Keyboard, Outside
-from vrts.debug.terminal.panel import View, panel, time_at, time_bar
+from vrts.debug.terminal.panel import panel, time_at, time_bar
+from vrts.debug.terminal.view import View
 
 _STYLE = Style.from_dict(
     {
@@ -46,30 +48,37 @@ _NAMES = {
     Keys.ControlM: "enter",
     Keys.ControlJ: "enter",
     Keys.ControlH: "backspace",
+    Keys.Delete: "delete",
     Keys.Escape: "escape",
+    Keys.Tab: "tab",
+    Keys.ControlA: "c-a",
+    Keys.ControlE: "c-e",
+    Keys.ControlK: "c-k",
+    Keys.ControlU: "c-u",
+    Keys.ControlW: "c-w",
 }
 
 
-def debug(debugger: Debugger, console: Console, outside: Outside) -> None:
+def debug(session: Session, outside: Outside, recorder: Recorder) -> None:
     """Show the program and take keys until the user ends it.
 
     Args:
-        debugger: Where it stands.
-        console: Reads commands.
+        session: Where it stands.
         outside: What keys ask for beside.
+        recorder: Keeps the commands.
     """
     view = View()
-    keyboard = Keyboard(debugger, console, view, outside)
+    keyboard = Keyboard(session, view, outside, recorder)
 
     def text() -> StyleAndTextTuples:
         size = get_app().output.get_size()
         found: StyleAndTextTuples = []
-        for row in panel(debugger, view, size.columns, size.rows):
+        for row in _rows(session, view, keyboard, size.columns, size.rows):
             found += [(f"class:{style}" if style else "", words) for style, words in row]
             found.append(("", "\n"))
         return found[:-1]
 
-    window = Window(_Control(text, debugger), always_hide_cursor=True)
+    window = Window(_Control(text, session, keyboard), always_hide_cursor=True)
     app: Application[None] = Application(
         Layout(window),
         key_bindings=_bindings(keyboard),
@@ -82,12 +91,23 @@ def debug(debugger: Debugger, console: Console, outside: Outside) -> None:
         app.run()
 
 
+def _rows(session: Session, view: View, keyboard: Keyboard, columns: int, rows: int) -> list[Row]:
+    try:
+        return panel(session, view, columns, rows)
+    except Exception as problem:
+        keyboard.failed(problem)
+        return [[("alarm", f"this cannot be shown: {problem}"[: max(columns, 1)])]]
+
+
 class _Control(FormattedTextControl):
     """The screen; a click on the time bar goes there."""
 
-    def __init__(self, text: Callable[[], StyleAndTextTuples], debugger: Debugger) -> None:
+    def __init__(
+        self, text: Callable[[], StyleAndTextTuples], session: Session, keyboard: Keyboard
+    ) -> None:
         super().__init__(text, focusable=True)
-        self._debugger = debugger
+        self._debugger = session.debugger
+        self._keyboard = keyboard
 
     def mouse_handler(self, mouse_event: MouseEvent) -> None:
         size = get_app().output.get_size()
@@ -95,7 +115,19 @@ class _Control(FormattedTextControl):
         if mouse_event.event_type is MouseEventType.MOUSE_UP and at.y == size.rows - 2:
             label = len(time_bar(self._debugger, size.columns)[-1][1])
             horizon_s = self._debugger.run.horizon_s
-            self._debugger.seek(time_at(at.x, horizon_s, size.columns, label))
+            time_s = time_at(at.x, horizon_s, size.columns, label)
+            _survived(self._keyboard, lambda: self._keyboard.seek(time_s))
+
+
+def _survived(keyboard: Keyboard, deed: Callable[[], object]) -> object:
+    """Do what a key asks for: neither Ctrl-C meanwhile nor a fault of ours ends the session."""
+    with interruptible():
+        try:
+            return deed()
+        except KeyboardInterrupt:
+            return keyboard.interrupted()
+        except Exception as problem:
+            return keyboard.failed(problem)
 
 
 def _bindings(keyboard: Keyboard) -> KeyBindings:
@@ -104,13 +136,11 @@ def _bindings(keyboard: Keyboard) -> KeyBindings:
     def take(event: KeyPressEvent) -> None:
         key = event.key_sequence[0].key
         name = _NAMES.get(key) if isinstance(key, Keys) else None
-        with interruptible():
-            try:
-                over = keyboard.press(name or event.data)
-            except KeyboardInterrupt:
-                over = keyboard.interrupted()
-        if over:
+        if _survived(keyboard, lambda: keyboard.press(name or event.data)) is True:
             event.app.exit()
+
+    def paste(event: KeyPressEvent) -> None:
+        keyboard.paste(event.data)
 
     def stop(event: KeyPressEvent) -> None:
         keyboard.interrupted()
@@ -120,6 +150,7 @@ def _bindings(keyboard: Keyboard) -> KeyBindings:
 
     for known in (Keys.Any, *_NAMES):
         bindings.add(known)(take)
+    bindings.add(Keys.BracketedPaste)(paste)
     bindings.add(Keys.ControlC)(stop)
     bindings.add(Keys.ControlD)(leave)
     return bindings

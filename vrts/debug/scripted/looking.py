@@ -1,0 +1,97 @@
+"""Commands that look: values, places, reasons, events."""
+
+from collections.abc import Iterator
+
+from vrts.debug.frames import frames
+from vrts.debug.scripted.session import Deed, Done, Refusal, Row, Session, nothing
+from vrts.debug.scripted.table import help_lines
+from vrts.debug.values import Shown, scopes
+from vrts.monitor.listings import value_text
+from vrts.report.event_words import event_text
+
+MOST_EVENTS = 200  # rows of one answer
+
+
+def _print(session: Session, rest: str, done: Done) -> None:
+    done.value = session.console.value(rest, session.frame())
+    done.said.append(value_text(done.value))
+
+
+def _assert(session: Session, rest: str, done: Done) -> None:
+    done.value = session.console.value(rest, session.frame())
+    if not isinstance(done.value, float):
+        raise Refusal(f"`{rest}` is no number: {value_text(done.value)}")
+    if done.value == 0.0:
+        raise Refusal(f"`{rest}` does not hold here")
+    done.said.append(f"`{rest}` holds")
+
+
+def _where(session: Session, rest: str, done: Done) -> None:
+    done.moved = not rest
+    if not rest:
+        stack = frames(session.debugger.run, session.debugger.at, process=session.process)
+        for frame in stack[1:]:
+            span = frame.cause.span
+            done.said.append(
+                f"called by {frame.cause.program} {frame.cause.step}, line {span.line}"
+            )
+    session.enter(f"WHERE {rest}".strip(), done)
+
+
+def _state(session: Session, rest: str, done: Done) -> None:
+    nothing(rest, "state")
+    for scope in scopes(session.debugger, session.frame()):
+        if scope.shown:
+            done.said.append(scope.name)
+            done.said += [f"  {line}" for line in _rows(scope.shown)]
+
+
+def _why(session: Session, rest: str, done: Done) -> None:
+    lines = session.console.why(rest or None).split("\n")
+    done.said += lines
+    done.reasons = [line.strip() for line in lines]
+
+
+def _events(session: Session, rest: str, done: Done) -> None:
+    words = rest.lower().split()
+    until = session.debugger.at.finished
+    if "all" in words:
+        words.remove("all")
+        until = session.debugger.run.statements
+    run = session.debugger.run
+    for event, number in zip(run.events, run.event_numbers, strict=True):
+        told = event_text(event) if number <= until else None
+        if told is not None and all(word in " ".join(told).lower() for word in words):
+            done.events.append(Row(event.time_s, *told))
+    left = len(done.events) - MOST_EVENTS
+    if left > 0:
+        done.events = done.events[-MOST_EVENTS:]
+        done.said.append(f"the last {MOST_EVENTS} of {MOST_EVENTS + left:,}")
+    if not done.events:
+        done.said.append("no such event")
+
+
+def _help(session: Session, rest: str, done: Done) -> None:
+    found = help_lines(rest.lower())
+    if found:
+        done.said += found
+    else:
+        session.enter(f"HELP {rest}", done)
+
+
+def _rows(shown: tuple[Shown, ...]) -> Iterator[str]:
+    for each in shown:
+        yield f"{each.name}  {each.value}"
+        if each.name.endswith("[]"):
+            yield from (f"  {row}" for row in _rows(each.parts))
+
+
+DEEDS: dict[str, Deed] = {
+    "print": _print,
+    "assert": _assert,
+    "where": _where,
+    "state": _state,
+    "why": _why,
+    "events": _events,
+    "help": _help,
+}

@@ -1,0 +1,88 @@
+"""Names of a program under the debugger: which there are, near misses, and conditions as typed."""
+
+import re
+from collections.abc import Iterable
+from difflib import get_close_matches
+
+from vrts.base.diagnostic import Severity
+from vrts.base.source import SourceFile
+from vrts.debug.debugger import Debugger
+from vrts.ir.values import Value
+from vrts.lang.names import key
+from vrts.monitor.desk import ALONE, ANSWER
+from vrts.monitor.programs import in_view
+
+_SIGNAL = re.compile(r"(?:SIG|SIGNAL)?\s*\(?\s*(\d{1,5})\s*\)?", re.IGNORECASE)
+_NAME = re.compile(r"[$#]?[A-Za-z][\w.]*\s*(\[[\d\s,]+\])?", re.ASCII)
+_QUOTED = re.compile(r"`([^`]+)`")
+_MOST_NEAR = 3
+
+
+def names_of(debugger: Debugger) -> dict[str, Value]:
+    """Return every variable with a value of its kind: its last one, else one that stands for it."""
+    run = debugger.run
+    found: dict[str, Value] = {}
+    for program in run.history.code.programs:
+        found |= {slot.name: _stand_in(slot.name) for slot in (*program.formals, *program.autos)}
+    found |= {bound.name: _stand_in(bound.name) for bound in run.history.memory.bound}
+    found |= run.at(run.horizon_s).variables
+    return found | dict(debugger.state.locals)
+
+
+def unwatchable(debugger: Debugger, name: str) -> str:
+    """Return why a name cannot be watched, with the near misses; nothing where it can."""
+    text = name.strip()
+    if _SIGNAL.fullmatch(text):
+        return ""
+    if _NAME.fullmatch(text) is None:
+        return f"`{text}` is no name of a variable and no signal: `i`, `a[3]` or `SIG(1001)`"
+    known = bases(debugger)
+    wanted = key(text).partition("[")[0].strip()
+    if wanted in known:
+        return ""
+    return _unknown(text, known)
+
+
+def _unknown(name: str, known: Iterable[str]) -> str:
+    near = get_close_matches(key(name).partition("[")[0], sorted(known), _MOST_NEAR, 0.5)
+    return f"there is no `{name}` here" + (f": {_or(near)}?" if near else "")
+
+
+def bases(debugger: Debugger) -> set[str]:
+    """Return the names of variables, arrays without their indices."""
+    return {name.partition("[")[0] for name in names_of(debugger)}
+
+
+def wrong_condition(debugger: Debugger, text: str) -> str:
+    """Return what is wrong with the condition of a breakpoint; nothing where it can be one."""
+    if not text.strip():
+        return ""
+    step = f"{ANSWER} = {text}"
+    source = SourceFile("condition", f".PROGRAM {ALONE}\n{step}\n.END\n")
+    found = in_view(source, (step,), {}, names_of(debugger), debugger.dialect)
+    problem = next((d for d in found.diagnostics if d.severity is not Severity.NOTE), None)
+    if problem is None:
+        return "" if found.module is not None else "this is no condition"
+    if problem.rule.slug == "assigned-location" or ANSWER in problem.headline:
+        return "a condition is a number: 0 does not stop"
+    named = _QUOTED.search(problem.headline)
+    if problem.rule.slug == "undefined-variable" and named is not None:
+        return _unknown(named[1], bases(debugger))
+    return f"the condition cannot be read: {problem.headline}"
+
+
+def _stand_in(name: str) -> Value:
+    if name.startswith("$"):
+        return ""
+    return (0.0, 0.0, 0.0, 0.0, 0.0, 0.0) if name.startswith("#") else 0.0
+
+
+def _or(words: list[str]) -> str:
+    quoted = [f"`{word}`" for word in words]
+    return " or ".join([", ".join(quoted[:-1]), quoted[-1]] if len(quoted) > 1 else quoted)
+
+
+def near_words(word: str, known: Iterable[str]) -> str:
+    """Return words that are nearly one, as a question; nothing where none is."""
+    near = get_close_matches(word, sorted(known), _MOST_NEAR, 0.6)
+    return f": {_or(near)}?" if near else ""

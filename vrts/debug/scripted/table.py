@@ -1,0 +1,68 @@
+"""Every command of the debugger: its words, and what it does. Help and manual are made of this."""
+
+from typing import NamedTuple
+
+
+class Entry(NamedTuple):
+    """A command."""
+
+    word: str
+    rest: str  # what follows the word; `[x]` may be left out
+    says: str  # what it does, as the help has it
+    group: str
+
+    @property
+    def usage(self) -> str:
+        """Return the command as it is written."""
+        return f"{self.word} {self.rest}".strip()
+
+
+GO, STOP, LOOK, CHANGE = "Go", "Stop", "Look", "Change"
+
+COMMANDS = (
+    Entry("step", "[into|over|out|back]", "the next step; `over` calls without a word", GO),
+    Entry("tick", "[back]", "one set point of the arm, forward or back", GO),
+    Entry("continue", "", "to the next stop, or to the end", GO),
+    Entry("reverse", "", "to the last stop before, or to the beginning", GO),
+    Entry("to", "LINE", "to the next time the line is executed", GO),
+    Entry("at", "TIME|begin|end", "to a time [s]", GO),
+    Entry("restart", "", "the beginning again, with the files as they are now", GO),
+    Entry("program", "[robot|process]", "whose steps are gone: robot program, process control", GO),
+    Entry(
+        "break",
+        "LINE[:CONDITION] [hits RULE] [log TEXT]",
+        "stop at a line: where a condition holds, at some hits (`5`, `>= 5`, `% 3`); or log there",
+        STOP,
+    ),
+    Entry("unbreak", "LINE|all", "no breakpoint there any more", STOP),
+    Entry("watch", "NAME", "stop when a variable, a location or a signal (`SIG(3)`) changes", STOP),
+    Entry("unwatch", "NAME|all", "no more", STOP),
+    Entry(
+        "alarms", "[KIND ...|all|none]", "which alarms stop; without a word: which there are", STOP
+    ),
+    Entry("stops", "", "lists breakpoints, watches and alarms", STOP),
+    Entry("print", "EXPRESSION", "the value of an expression here", LOOK),
+    Entry("where", "", "the programs under way, and where the arm is", LOOK),
+    Entry("state", "", "all that can be seen here: variables, arm, things, signals", LOOK),
+    Entry("why", "[NAME]", "why the arm does what it does, or a name has its value", LOOK),
+    Entry(
+        "events",
+        "[WORD ...]",
+        "what happened up to here, of rows with all words; `all`: also later",
+        LOOK,
+    ),
+    Entry("help", "[COMMAND]", "lists these commands", LOOK),
+    Entry("assert", "EXPRESSION", "fails where an expression is zero, and says its value", LOOK),
+    Entry("set", "NAME = VALUE", "another value from here on: another future", CHANGE),
+    Entry("jump", "LINE", "the step of the line comes next: another future", CHANGE),
+    Entry("answer", "TEXT", "what the program gets that waits for a line", CHANGE),
+)
+BY_WORD = {entry.word: entry for entry in COMMANDS}
+ELSE = "Any other line is an expression, `x = 5`, or a command of the monitor."
+
+
+def help_lines(word: str = "") -> list[str]:
+    """Return the help of all commands, or of one; nothing where there is no such command."""
+    found = [BY_WORD[word]] if word in BY_WORD else [] if word else list(COMMANDS)
+    lines = [f"{entry.usage}: {entry.says}" for entry in found]
+    return lines if word else [*lines, ELSE]
