@@ -49,6 +49,10 @@ class Terminal:
         """Type keys, by the names that tmux has for them."""
         self._tmux("send-keys", "-t", self._name, *keys)
 
+    def resize(self, columns: int, rows: int) -> None:
+        """Give the terminal another size."""
+        self._tmux("resize-window", "-t", self._name, "-x", str(columns), "-y", str(rows))
+
     def screen(self) -> str:
         """Return what is shown."""
         return self._tmux("capture-pane", "-p", "-t", self._name)

@@ -90,6 +90,33 @@ def test_the_rerun_viewer_is_asked_for(tmp_path: Path) -> None:
         assert "left at" in terminal.said()
 
 
+def test_without_a_browser_and_at_any_size_the_session_goes_on(tmp_path: Path) -> None:
+    none = {"PATH": "/usr/bin:/bin", "DISPLAY": "", "WAYLAND_DISPLAY": "", "TMPDIR": str(tmp_path)}
+    record = tmp_path / "kept.txt"
+    words = ["debug", str(HITS), "--at", "2", "--break", "12", "--record", str(record)]
+    with Terminal(words, tmp_path, (80, 24), none) as terminal:
+        terminal.expect("2.000 s of")
+        terminal.send("v")
+        terminal.expect("no browser with a window was found here")
+        terminal.resize(1, 1)
+        terminal.resize(80, 24)
+        terminal.send("c")
+        terminal.expect("line 12  breakpoint")
+        terminal.send("w")
+        terminal.send("-l", "can1_grp")
+        terminal.send("Enter")
+        terminal.expect("there is no `can1_grp` here: `can1_grip`")
+        terminal.send("?")
+        terminal.expect("Forward", "1 to 22 of")
+        terminal.send("PageDown")
+        terminal.expect("stop when a variable or a signal changes")
+        terminal.send("q")
+        terminal.send("q")
+        assert "left at 4.256 s" in terminal.said()
+    kept = [line for line in record.read_text().splitlines() if not line.startswith("#")]
+    assert kept == ["break 12", "at 2.0", "continue"]
+
+
 def test_a_small_terminal_is_told(tmp_path: Path) -> None:
     with Terminal(["debug", str(HITS)], tmp_path, (60, 15)) as terminal:
         terminal.expect("at least 72 x 20")

@@ -15,6 +15,7 @@ from vrts.site.configuration import configuration
 from vrts.site.generated.assumptions_page import assumptions_page
 from vrts.site.generated.cheat_sheet import cheat_sheet
 from vrts.site.generated.command_pages import command_pages
+from vrts.site.generated.debugger_page import debugger_page
 from vrts.site.generated.lessons import write_lessons
 from vrts.site.generated.message_pages import message_pages
 from vrts.site.generated.python_page import python_page
@@ -111,6 +112,7 @@ def generated_pages(root: Path) -> dict[str, str]:
     return {
         **{f"look-up/{f}/{n}": words for f, pages in folders.items() for n, words in pages.items()},
         "look-up/cheat-sheet": cheat_sheet(),
+        "look-up/debugger": debugger_page(),
         "look-up/python": python_page(package),
         "understand/assumptions": assumptions_page(package),
     }

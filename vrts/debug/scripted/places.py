@@ -94,5 +94,5 @@ def as_data(value: Value) -> dict[str, object]:
     if isinstance(value, str):
         return {"kind": "string", "value": value}
     if isinstance(value, Pose):
-        return {"kind": "pose", "value": [float(number) for number in components(value)]}
+        return {"kind": "pose", "value": [round(float(number), 9) for number in components(value)]}
     return {"kind": "joints", "value": [deg(joint) for joint in value]}

@@ -106,8 +106,8 @@ def test_what_cannot_be_is_refused_with_the_reason(tmp_path: Path, line: str, wo
 
 def test_a_name_of_a_command_is_a_variable_where_it_is_given_a_value(tmp_path: Path) -> None:
     s = session(tmp_path)
-    assert said(s, "step = 5") == "5"
-    assert said(s, "print step") == "5"
+    assert said(s, "stops = 5") == "5"
+    assert said(s, "print stops") == "5"
     assert s.debugger.at.time_s == 0.0
 
 

@@ -46,7 +46,7 @@ class Sitting:
         self.session.writes = True
         self.record: list[str] = []
         self.view = View()
-        outside = Outside(lambda t: f"page {t}", lambda t: f"viewer {t}", lambda: "")
+        outside = Outside(str, str, str)
         self.keyboard = Keyboard(session, self.view, outside, Recorder(self.record.append))
 
     def press(self, *keys: str) -> None:

@@ -8,8 +8,8 @@ from vrts.debug.terminal.line import LONGEST, Line
 from vrts.report.plain import width
 
 TEXTS = st.text(st.sampled_from("ab xyz. ä漢\u0301"), max_size=60)
-KEYS = ("left", "right", "home", "end", "c-a", "c-e", "c-k", "c-u", "c-w")
-KEYS += ("backspace", "delete", "up", "down", "tab", "a", " ", "漢")
+MOVES = ("left", "right", "home", "end", "c-a", "c-e", "c-k", "c-u", "c-w")
+KEYS = (*MOVES, "backspace", "delete", "up", "down", "tab", "a", " ", "漢")
 
 
 def typed_so(line: Line, *keys: str) -> str:
