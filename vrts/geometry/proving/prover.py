@@ -127,11 +127,16 @@ class Prover:
         """Return the middles of placed solids in W, shape (m, 3), in m."""
         return of.origin + (of.rotation @ self.solids.middle[of.solid][:, :, None])[:, :, 0]
 
-    def exact(self, a: Placed, b: Placed, apart: float = np.inf) -> Bounds:
-        """Return the signed distances of pairs to `EXACT`; of those so far apart, that they are."""
+    def at_once(self, a: Placed, b: Placed) -> Bounds:
+        """Return what the proposals alone prove of the signed distances of pairs."""
         lower, normal, _, first, second = self.proposed(a, b)
         upper = uppers(self.solids, a, b, first, second)
-        found = Bounds(lower, upper, normal, first, second)
+        return Bounds(lower, upper, normal, first, second)
+
+    def exact(self, a: Placed, b: Placed, apart: float = np.inf) -> Bounds:
+        """Return the signed distances of pairs to `EXACT`; of those so far apart, that they are."""
+        found = self.at_once(a, b)
+        lower, upper = found.lower, found.upper
         loose = np.flatnonzero(~(upper - lower <= EXACT) & ~(lower >= apart))
         if len(loose):
             start = found.normal[loose]

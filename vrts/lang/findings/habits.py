@@ -84,11 +84,11 @@ def check_habits(
         if converted and not problems.dialect.tolerant:
             check_converted(problems, program)
         found = structures[program.name]
-        empty: list[Block] = []
+        empty: set[int] = set()  # where structures open that do nothing
         if not problems.any_error:  # else the structures may be others
             check_speeds(problems, program, called=program.name in called)
             check_terminal(problems, program)
-            empty = check_branches(problems, program, found)
+            empty = {block.opener for block in check_branches(problems, program, found)}
             check_groups(problems, program)
             counting.check(program, found)
             check_values(problems, program, found)
@@ -96,7 +96,7 @@ def check_habits(
             if alone:
                 check_begun_anew(problems, scope, program, found, changed_by)
         if alone:
-            loops.check(program, [block for block in found if block not in empty])
+            loops.check(program, [block for block in found if block.opener not in empty])
 
 
 def _waiting(problems: Problems, node: Simple) -> None:

@@ -75,7 +75,7 @@ class Parting:
         prober = Prober(arm, motion, arrays, Prover(arrays, self._proposer))
         stays = [(members, -np.inf, np.inf)]
         gaps = prober.gaps([Asked(finger, stays, np.zeros(1)) for finger in fingers], FAR)
-        return tuple([float(gap[0]) for gap in gaps])
+        return tuple([float(gap.lower[0]) for gap in gaps])
 
 
 def _looks(machine: Machine, since_s: float, from_s: float, to_s: float) -> Iterator[float]:

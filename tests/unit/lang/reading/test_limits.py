@@ -1,5 +1,8 @@
 """Limits: at each all is well, just beyond it there is one diagnostic and no more."""
 
+import time
+from collections.abc import Callable
+
 import pytest
 
 from vrts.base.diagnostic import Diagnostic
@@ -167,3 +170,33 @@ def test_trials_of_one_line(word: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(step_parser, "tokenise", counted)
     assert len(codes(f"WAIT SIG(1001) OR (TIMER(1){word * 20} > 5)", VAL2_PLUS)) == 1
     assert 1 < len(read) <= MOST_OF_LINE + 1
+
+
+def loops_that_do_nothing(count: int) -> str:
+    return ".PROGRAM main()\n" + "FOR i = 1 TO 2\nEND\n" * count + ".END\n"
+
+
+def nested_loops_with_calls(count: int) -> str:
+    opened = "".join(f"FOR i{k} = 1 TO 2\n" for k in range(count))
+    inside = "CALL other(i1)\n" * count
+    other = ".PROGRAM other(a)\nb = a\n.END\n"
+    return ".PROGRAM main()\n" + opened + inside + "END\n" * count + ".END\n" + other
+
+
+@pytest.mark.parametrize(
+    ("text", "count"),
+    [
+        (nested_loops_with_calls, 400),
+        pytest.param(loops_that_do_nothing, 5000, marks=pytest.mark.thorough),
+    ],
+)
+def test_twice_as_many_loops_take_twice_as_long(text: Callable[[int], str], count: int) -> None:
+    def seconds(size: int) -> float:
+        source = SourceFile("a.v2", text(size))
+        begin = time.process_time()
+        assert compile_source(source, Options(VAL2_PLUS)).diagnostics
+        return time.process_time() - begin
+
+    # the quickest of some tries: whatever else the machine does only makes it slower
+    once, twice = (min(seconds(size) for _ in range(3)) for size in (count, 2 * count))
+    assert twice < 2.9 * once

@@ -74,6 +74,13 @@ class Asked(NamedTuple):
     times: Array  # [s]
 
 
+class Gaps(NamedTuple):
+    """What is known of the distance at each of those times; the same twice where it is exact."""
+
+    lower: Array  # [m]
+    upper: Array  # [m]
+
+
 @dataclass(frozen=True, slots=True)
 class Prober:
     """Distances between solids at chosen instants, proven."""
@@ -120,15 +127,16 @@ class Prober:
         places = self.solids.places(state, *np.divmod(known, len(times)), GRAVITY)
         return places, place[: len(first)], place[len(first) :]
 
-    def gaps(self, asked: Sequence[Asked], far: float) -> list[Array]:
-        """Return the distances [m] between unions of solids; inf while nothing is there.
+    def gaps(self, asked: Sequence[Asked], far: float, *, exact: bool = True) -> list[Gaps]:
+        """Return the distances between unions of solids; inf while nothing is there.
 
         Args:
             asked: The questions; what they have in common is done once.
             far: Larger distances may be told too small, down to this [m].
+            exact: Whether one number is wanted for each, not just what is proven at once.
         """
         sizes = [len(one.times) for one in asked]
-        found = np.full(sum(sizes), np.inf)
+        lower, upper = (np.full(sum(sizes), np.inf) for _ in range(2))
         begins = np.cumsum([0, *sizes])
         rows = [own for k, one in enumerate(asked) for own in _rows(int(begins[k]), one)]
         if rows:
@@ -141,16 +149,21 @@ class Prober:
             rest = np.ones(len(order), dtype=np.bool_)
             rest[nearest] = False
             for some in (nearest, order[rest[order]]):
-                near = some[least[some] < np.minimum(found[instant[some]], far)]
-                measured = self.prover.exact(
-                    placed(places, first[near], a[near]), placed(places, second[near], b[near]), far
-                )
+                near = some[least[some] < np.minimum(upper[instant[some]], far)]
+                sides = placed(places, first[near], a[near]), placed(places, second[near], b[near])
+                found = self.prover.exact(*sides, far) if exact else self.prover.at_once(*sides)
+                low, high = (found.distance,) * 2 if exact else (found.lower, found.upper)
                 # what is only known to be farther than that is that far
-                distance = np.where(measured.lower >= far, measured.lower, measured.distance)
-                np.minimum.at(found, instant[near], distance)
+                is_far = found.lower >= far
+                np.minimum.at(lower, instant[near], np.where(is_far, found.lower, low))
+                np.minimum.at(upper, instant[near], np.where(is_far, found.lower, high))
                 away = some[least[some] >= far]
-                np.minimum.at(found, instant[away], least[away])
-        return np.split(found, begins[1:-1])
+                np.minimum.at(lower, instant[away], least[away])
+                np.minimum.at(upper, instant[away], least[away])
+        cuts = begins[1:-1]
+        return [
+            Gaps(*own) for own in zip(np.split(lower, cuts), np.split(upper, cuts), strict=True)
+        ]
 
 
 def _rows(begin: int, asked: Asked) -> Iterator[tuple[Indices, Indices, Indices, Array]]:

@@ -8,7 +8,7 @@ come nearer again, and an object that is set down leaves them with the final app
 """
 
 import math
-from collections.abc import Generator, Iterator, Sequence
+from collections.abc import Callable, Generator, Iterator, Sequence
 from typing import NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
@@ -19,9 +19,6 @@ from vrts.ir.instructions import HandAction
 
 Array: TypeAlias = npt.NDArray[np.float64]
 T = TypeVar("T")
-Distances: TypeAlias = Sequence[float]
-# yields times, is sent distances [m], comes to T
-Asking: TypeAlias = Generator[Array, Distances, T]
 
 NEAR_MISS = 5e-3  # [m] nearer than this is a near miss, unless the task says otherwise [assumed]
 SEPARATED = 2e-4  # [m] pads farther than this from the object have let go of it [assumed]
@@ -31,6 +28,26 @@ BATCH = 16  # instants looked at together, at first
 AWAY = 50e-3  # [m] a pair this far apart has parted [assumed]
 SHRUNK = 1e-6  # [m] what is nearer by less than at the look before is no nearer
 SOONER = 1e-9  # [s] no instant so near to the end is looked at
+
+
+class Look(NamedTuple):
+    """Instants at which a distance is wanted."""
+
+    times: Array  # [s]
+    exact: bool  # or whatever is proven at once
+
+
+class Gap(NamedTuple):
+    """What is known of a distance; both are the same where it is exact."""
+
+    lower: float  # [m]
+    upper: float  # [m]
+
+
+# yields looks, is sent what is known at each instant, comes to T
+Asking: TypeAlias = Generator[Look, Sequence[Gap], T]
+# of what is known at an instant and at the one before; None: that is not enough to tell
+Holds: TypeAlias = Callable[[Gap, Gap | None], bool | None]
 
 
 class Window(NamedTuple):
@@ -111,10 +128,9 @@ def counted_until(start_s: float, end_s: float, near_miss: float = NEAR_MISS) ->
 def _apart(start_s: float, end_s: float) -> Asking[float]:
     """Return when a finger is first seen to be apart from what it held; `end_s` if never."""
     for times in _looks(start_s, end_s, FINE):
-        gaps = yield times
-        for t, distance in zip(times.tolist(), gaps, strict=True):
-            if distance > SEPARATED:
-                return t
+        found = yield from _first(times, lambda gap, _: _exceeds(gap, SEPARATED))
+        if found is not None:
+            return found
     return end_s
 
 
@@ -127,14 +143,62 @@ def _away(
     it exceeds `AWAY`. To look backward in time, times are asked for as `mirrored` minus what they
     are.
     """
-    far, before = max(near_miss, SEPARATED), -np.inf
+    far = max(near_miss, SEPARATED)
+
+    def parted(gap: Gap, before: Gap | None) -> bool | None:
+        return _either(_exceeds(gap, AWAY), _comes_nearer(gap, before, far))
+
+    last = np.empty(0)
     for times in _looks(start_s, end_s, COARSE):
-        gaps = yield times if mirrored is None else mirrored - times
-        for t, distance in zip(times.tolist(), gaps, strict=True):
-            if (before > far and distance < before - SHRUNK) or distance > AWAY:
-                return t
-            before = distance
+        looks = np.concatenate((last, times))  # the last one again: what comes before the next
+        found = yield from _first(looks, parted, mirrored)
+        if found is not None:
+            return found
+        last = times[-1:]
     return end_s
+
+
+def _first(times: Array, holds: Holds, mirrored: float | None = None) -> Asking[float | None]:
+    """Return the first instant at which something holds; None: it holds at none.
+
+    Distances are asked for exactly only where what is proven of them at once does not tell.
+    """
+    asked = times if mirrored is None else mirrored - times
+    for exact in (False, True):
+        gaps = yield Look(asked, exact)
+        told = map(holds, gaps, (None, *gaps))
+        for t, answer in zip(times.tolist(), told, strict=False):
+            if answer is None:
+                break
+            if answer:
+                return t
+        else:
+            break
+    return None
+
+
+def _exceeds(gap: Gap, limit: float) -> bool | None:
+    """Return whether a distance exceeds a limit [m]."""
+    return _sure(least=gap.lower > limit, most=gap.upper > limit)
+
+
+def _comes_nearer(gap: Gap, before: Gap | None, far: float) -> bool | None:
+    """Return whether a distance is smaller than at the look before, which exceeded `far` [m]."""
+    if before is None:
+        return False
+    least = before.lower > far and gap.upper < before.lower - SHRUNK
+    most = before.upper > far and gap.lower < before.upper - SHRUNK
+    return _sure(least=least, most=most)
+
+
+def _sure(*, least: bool, most: bool) -> bool | None:
+    return least if least == most else None
+
+
+def _either(one: bool | None, other: bool | None) -> bool | None:
+    if one or other:
+        return True
+    return None if one is None or other is None else False
 
 
 def _looks(start_s: float, end_s: float, step_s: float) -> Iterator[Array]:

@@ -5,7 +5,7 @@ convex pieces with an interval of time and a rule are one row of `Pairs`; the se
 at once, whatever their intervals.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
@@ -26,8 +26,9 @@ from vrts.check.collision.pairs.grips import (
     AWAY,
     NEAR_MISS,
     Asking,
-    Distances,
+    Gap,
     Grip,
+    Look,
     Window,
     counted_from,
     counted_until,
@@ -193,21 +194,26 @@ def _finger_windows(
     ]
     sides = [(finger, own) for own in by_body.values() for finger in arm.fingers]
 
-    def answer(asked: Mapping[int, Array]) -> Mapping[int, Distances]:
-        questions = [_asked(*sides[number], times) for number, times in asked.items()]
-        gaps = prober.gaps(questions, FAR)
-        return dict(zip(asked, (own.tolist() for own in gaps), strict=True))
+    def asked(number: int, times: Array) -> Asked:
+        finger, own = sides[number]
+        return Asked(finger, [(stay.members, stay.start_s, stay.end_s) for stay in own], times)
 
-    return all_told(questions, answer)
-
-
-def _asked(first: Sequence[int], stays: Sequence[Stay], times: Array) -> Asked:
-    return Asked(first, [(stay.members, stay.start_s, stay.end_s) for stay in stays], times)
+    return all_told(questions, lambda looks: _seen(prober, looks, asked))
 
 
-def _always(stay: Stay, other: Stay, times: Array) -> Asked:
-    """Ask about one stay at times that are within it but for rounding."""
-    return Asked(stay.members, [(other.members, -np.inf, np.inf)], times)
+def _seen(
+    prober: Prober, looks: Mapping[int, Look], asked: Callable[[int, Array], Asked]
+) -> Mapping[int, Sequence[Gap]]:
+    """Return what is known of the distances that questions look at, by their numbers."""
+    found: dict[int, Sequence[Gap]] = {}
+    for exact in (False, True):
+        numbers = [number for number, look in looks.items() if look.exact is exact]
+        if numbers:
+            questions = [asked(number, looks[number].times) for number in numbers]
+            gaps = prober.gaps(questions, FAR, exact=exact)
+            for number, own in zip(numbers, gaps, strict=True):
+                found[number] = list(map(Gap, own.lower.tolist(), own.upper.tolist()))
+    return found
 
 
 def _body_pairs(
@@ -274,12 +280,11 @@ def _counted(
             questions.append(counted_until(start_s, end_s, near_miss))
             sides.append((stay, other))
 
-    def answer(asked: Mapping[int, Array]) -> Mapping[int, Distances]:
-        questions = [_always(*sides[number], times) for number, times in asked.items()]
-        gaps = prober.gaps(questions, FAR)
-        return dict(zip(asked, (own.tolist() for own in gaps), strict=True))
+    def asked(number: int, times: Array) -> Asked:
+        stay, other = sides[number]  # the times are within both but for rounding
+        return Asked(stay.members, [(other.members, -np.inf, np.inf)], times)
 
-    told = iter(all_told(questions, answer))
+    told = iter(all_told(questions, lambda looks: _seen(prober, looks, asked)))
     found: list[tuple[float, float]] = []
     for stay, other, (start_s, end_s) in parted:
         if stay.lie is not Lie.HELD:

@@ -118,7 +118,8 @@ def _too_early(problems: Problems, steps: Sequence[Step], block: Block) -> list[
     assert opener is not None
     margin = _column(problems, opener)
     found: list[Step] = []
-    for step in steps[block.end + 1 :]:
+    for at in range(block.end + 1, len(steps)):  # no slice: there may be many structures
+        step = steps[at]
         node = step.statement
         if node is None or isinstance(node, Bad | Structure) or step.label is not None:
             break

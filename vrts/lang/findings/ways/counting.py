@@ -1,6 +1,6 @@
 """Variables that count a FOR loop and are changed in it: by hand, by another loop, by a CALL."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 
 from vrts.base.diagnostic import Fix, Rule
 from vrts.lang.meaning.scope import Scope
@@ -21,6 +21,48 @@ LOOP_VARIABLE = Rule("V246", "loop-variable-changed")
 
 _MAY_COUNT = (For, CallStatement, Assignment, Simple)  # statements that may change a number
 _SPARE = ("i", "j", "k", "m", "n", "row", "column")  # names for another variable
+
+
+class _Open:
+    """The structures around a step, the outermost first."""
+
+    def __init__(self) -> None:
+        self._blocks: list[tuple[Block, str, For | None]] = []
+        self._loops: dict[str, list[tuple[int, For]]] = {}  # by name: at which depth, which loop
+
+    def __bool__(self) -> bool:
+        return bool(self._blocks)
+
+    def enter(self, block: Block, node: Statement | None) -> None:
+        """Go into a structure that a step opens."""
+        loop = node if isinstance(node, For) and _name(node.target) else None
+        name = "" if loop is None else _name(loop.target)
+        if loop is not None:
+            self._loops.setdefault(name, []).append((len(self._blocks), loop))
+        self._blocks.append((block, name, loop))
+
+    def leave_before(self, at: int) -> None:
+        """Leave all that have ended when a step is come to."""
+        while self._blocks and self._blocks[-1][0].end <= at:
+            _, name, loop = self._blocks.pop()
+            if loop is not None:
+                self._loops[name].pop()
+                if not self._loops[name]:
+                    del self._loops[name]
+
+    @property
+    def innermost(self) -> tuple[str, For | None]:
+        """The variable and the loop, where the innermost structure is a FOR that has one."""
+        return self._blocks[-1][1:]
+
+    def loop(self, name: str) -> For | None:
+        """Return the innermost loop that a variable counts."""
+        found = self._loops.get(name)
+        return found[-1][1] if found else None
+
+    def counting(self, names: Collection[str]) -> list[str]:
+        """Return which of some variables count loops, by the outermost loop of each."""
+        return sorted(self._loops.keys() & names, key=lambda name: self._loops[name][0][0])
 
 
 class CountingCheck:
@@ -47,34 +89,26 @@ class CountingCheck:
         opened = {block.opener: block for block in found}
         first = min(block.opener for block in loops)
         last = max(block.end for block in loops)
-        open_: list[tuple[Block, str, For | None]] = []
+        around = _Open()
         for at in range(first, last):
-            while open_ and open_[-1][0].end <= at:
-                open_.pop()
+            around.leave_before(at)
             node = program.steps[at].statement
-            if open_ and isinstance(node, _MAY_COUNT):
-                self._step(program, node, open_)
+            if around and isinstance(node, _MAY_COUNT):
+                self._step(program, node, around)
             if at in opened:
-                loop = node if isinstance(node, For) and _name(node.target) else None
-                name = _name(loop.target) if loop is not None else ""
-                open_.append((opened[at], name, loop))
+                around.enter(opened[at], node)
 
-    def _step(
-        self,
-        program: ProgramText,
-        node: Statement,
-        open_: Sequence[tuple[Block, str, For | None]],
-    ) -> None:
-        around = {name: loop for _, name, loop in open_ if loop is not None}
+    def _step(self, program: ProgramText, node: Statement, around: _Open) -> None:
         if isinstance(node, For):
             name = _name(node.target)
-            if name in around:
-                self._inner(program, node, name, around[name])
+            outer = around.loop(name)
+            if outer is not None:
+                self._inner(program, node, name, outer)
             return
         if isinstance(node, CallStatement):
             self._call(program, node, around)
             return
-        name, loop = open_[-1][1:]
+        name, loop = around.innermost
         if loop is None:
             return  # under a condition: it may well be meant
         if isinstance(node, Assignment) and _name(node.target) == name:
@@ -129,30 +163,32 @@ class CountingCheck:
             help=("read the answer into another variable",),
         )
 
-    def _call(self, program: ProgramText, node: CallStatement, around: dict[str, For]) -> None:
+    def _call(self, program: ProgramText, node: CallStatement, around: _Open) -> None:
         called = key(node.program.text)
         changed = self.changed_by(called)
         if changed is None:
             return
-        for name, loop in around.items():
-            if name in self.scope.formals[program.name]:
+        passed = self._passed(node)
+        formals = self.scope.formals[program.name]
+        for name in around.counting(changed | passed.keys()):
+            loop = around.loop(name)
+            if name in formals or loop is None:
                 continue
             secondary = (self.problems.label(loop.start, loop.end, f"`{name}` counts this loop"),)
-            passed = self._passed(node, name)
-            if passed is not None:
+            if name in passed:
+                text = passed[name].text
                 self.problems.warning(
                     LOOP_VARIABLE,
                     f"`{called}` changes its argument: here that is `{name}`, which counts a loop",
-                    passed.start,
-                    passed.end,
+                    passed[name].start,
+                    passed[name].end,
                     secondary=secondary,
-                    help=(f"pass only the value: write `({passed.text})`",),
+                    help=(f"pass only the value: write `({text})`",),
                     fix=self.problems.replace(
-                        passed.start, passed.end, f"({passed.text})", sure=False
+                        passed[name].start, passed[name].end, f"({text})", sure=False
                     ),
                 )
-                return
-            if name in changed:
+            else:
                 self.problems.warning(
                     LOOP_VARIABLE,
                     f"`{called}` changes `{name}`, which counts this loop",
@@ -162,19 +198,20 @@ class CountingCheck:
                     notes=("all programs share their variables, except for their arguments",),
                     help=(f"use another variable in `{called}`, or another one to count here",),
                 )
-                return
+            return
 
-    def _passed(self, node: CallStatement, name: str) -> Name | None:
-        """Return the argument that a program gets by its name, and changes."""
+    def _passed(self, node: CallStatement) -> dict[str, Name]:
+        """Return the arguments that a program gets by their names, and changes."""
         program = self.scope.programs.get(key(node.program.text))
+        found: dict[str, Name] = {}
         if program is None:
-            return None
+            return found
         for argument, formal in zip(node.arguments, program.formals, strict=False):
-            if isinstance(argument, Name) and key(argument.text) == name and formal.name.text:
+            if isinstance(argument, Name) and formal.name.text:
                 entry = self.scope.formals[program.name].get(key(formal.name.text))
                 if entry is not None and entry.writes:
-                    return argument
-        return None
+                    found.setdefault(key(argument.text), argument)
+        return found
 
 
 def program_names(program: ProgramText) -> set[str]:
