@@ -43,15 +43,14 @@ def test_any_arguments_are_answered_or_refused(seed: int, tmp_path: Path) -> Non
     here = (*ODD, {"path": str(program)})
     for _ in range(150):
         command = chance.choice(COMMANDS)
-        arguments: object = {
+        arguments: dict[str, Any] = {
             name: chance.choice(here) for name in chance.sample(NAMES, chance.randrange(6))
         }
-        if chance.random() < 0.5 and isinstance(arguments, dict):
+        if chance.random() < 0.5:
             arguments["source"] = {"path": str(program)}
-        if chance.random() < 0.05:
-            arguments = chance.choice(here)
+        sent = chance.choice(here) if chance.random() < 0.05 else arguments
         try:
-            answer = adapter.answer(command, Fields(arguments))
+            answer = adapter.answer(command, Fields(sent))
             adapter.gone(answer)
         except BadRequest as problem:
             refused.append(str(problem))
