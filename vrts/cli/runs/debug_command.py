@@ -169,9 +169,9 @@ def _opened(asked: "Asked", color: str) -> "Opened":
     if found.debugger is None or found.console is None:
         show_diagnostics(found.diagnostics, color)
         sys.exit(WRONG)
-    from vrts.debug.alarms import Filter
+    from vrts.debug.alarms import DEFAULT
 
-    found.debugger.wishes.filters = frozenset({Filter.CONTACT, Filter.ERROR})
+    found.debugger.wishes.filters = DEFAULT
     return found
 
 

@@ -2,6 +2,8 @@
 
 from vrts.debug.alarms import LABELS, Filter
 from vrts.debug.breakpoints import Breakpoint, Watch, resolve
+from vrts.debug.changes import watchable
+from vrts.debug.frames import frames
 from vrts.debug.scripted.breaking import described, read_breakpoint
 from vrts.debug.scripted.names import near_words, unwatchable, wrong_condition
 from vrts.debug.scripted.session import Deed, Done, Refusal, Session, nothing
@@ -44,14 +46,22 @@ def _watch(session: Session, rest: str, done: Done) -> None:
     if problem:
         raise Refusal(problem)
     wishes = session.debugger.wishes
-    if rest not in [watch.name for watch in wishes.watches]:
-        wishes.watches = [*wishes.watches, Watch(session.new_id(), rest)]
+    run, at = session.debugger.run, session.debugger.at
+    frame = next(iter(frames(run, at, process=False)), None)
+    local = frame is not None and rest.partition("[")[0].strip().lower() in frame.declared(run)
+    name = watchable(run, rest, frame).name if local else rest
+    if name not in [watch.name for watch in wishes.watches]:
+        wishes.watches = [*wishes.watches, Watch(session.new_id(), name)]
     done.said.append(_watched(session))
 
 
 def _unwatch(session: Session, rest: str, done: Done) -> None:
     wishes = session.debugger.wishes
-    kept = [] if rest == "all" else [watch for watch in wishes.watches if watch.name != rest]
+    kept = [
+        watch
+        for watch in wishes.watches
+        if rest not in ("all", watch.name, watch.name.partition(" @ ")[0])
+    ]
     if rest != "all" and len(kept) == len(wishes.watches):
         raise Refusal(f"`{rest}` is not watched")
     wishes.watches = kept
