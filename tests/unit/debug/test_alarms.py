@@ -4,10 +4,12 @@ from pathlib import Path
 
 import pytest
 
-from tests.support_programs import ROOT
+from tests.support_programs import ROOT, cans, compiled
 from vrts.debug.alarms import DEFAULT, Alarm, Filter
 from vrts.debug.debugger import Debugger, Why
 from vrts.debug.opening import Asked, opened
+from vrts.engine.controller import execute
+from vrts.lang.dialect import DIALECTS
 
 FOLDER = ROOT / "examples/01-cans-on-bases"
 
@@ -72,3 +74,18 @@ def test_a_task_without_hints_does_not_tell_where_things_belong(tmp_path: Path) 
     program.write_text((FOLDER / "submissions" / "inches.v2").read_text())
     d = debugger(program)
     assert not d.alarms.of(frozenset({Filter.GOAL}))
+
+
+def test_the_cause_is_found_inside_a_program_that_is_over() -> None:
+    text = (FOLDER / "submissions" / "hits-base.v2").read_text()
+    step = "APPROS base2_put, 60"
+    program = text.replace(step, "CALL go_there", 1)
+    program = program.replace(".LOCATIONS", f".PROGRAM go_there()\n {step}\n.END\n.LOCATIONS", 1)
+    d = Debugger(execute(compiled(program), cans()), DIALECTS["val2"])
+    d.wishes.filters = frozenset({Filter.CONTACT})
+    stop = d.go_on()
+    assert stop.cause is not None
+    assert (stop.cause.program, d.state.call_stack[-1].program) == ("go_there", "main")
+    d.step_back()
+    assert d.state.call_stack[-1] == stop.cause
+    assert d.go_on() == stop
