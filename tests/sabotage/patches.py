@@ -120,6 +120,13 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/marking/similarity/test_likeness.py",),
     ),
     Patch(
+        "a copy whose heights are all shifted alike has no distance in common with its source",
+        "vrts/marking/similarity/features/values.py",
+        "        by = round(abs(b - a), DECIMALS)",
+        "        by = round(abs(a), DECIMALS)",
+        ("tests/unit/marking/similarity/test_features.py",),
+    ),
+    Patch(
         "what crowds tells as much of a copy as what is rare",
         "vrts/marking/similarity/weighing/nearness.py",
         "    nats = _weights(np.maximum(rank, 1), count)",

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from vrts.cli.shared.console import guarded, out, say
+from vrts.cli.shared.console import guarded, out, say, show_diagnostics
 from vrts.cli.shared.options import color_option
 
 if TYPE_CHECKING:
@@ -72,9 +72,14 @@ def command(
     matter. Younger markings stay. A marking that was interrupted counts from its start. Folders
     without a marking are refused, also plans, which hold names and tell no age. Links are not
     followed. In a small class, sorted marks may show who had which.
+
+    A later marking that was compared with OUT shows programs of it in its own pages. Such markings
+    in the same folder as OUT are named, and stay: purge them too, or compare them again. vrts does
+    not look elsewhere.
     """
     from vrts.marking.privacy.plans import holds_plan
     from vrts.marking.privacy.purge import State, look, purge
+    from vrts.marking.similarity.copies import copies_told
 
     now = datetime.now(UTC)
     looked = [look(folder, older_than, now) for folder in dict.fromkeys(folders)]
@@ -91,6 +96,8 @@ def command(
     if not due:
         say("nothing is deleted")
         return
+    going = [one.folder for one in due]
+    show_diagnostics([told for one in going for told in copies_told(one, going)], color)
     one_of = "1 folder" if len(due) == 1 else f"{len(due)} folders"
     if not yes:
         click.confirm(f"Delete this, in {one_of}, for good?", abort=True, err=True)

@@ -1,6 +1,7 @@
 """Programs of earlier years and other folders, to compare a class with."""
 
-from collections.abc import Sequence
+import hashlib
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
@@ -28,6 +29,7 @@ class Corpora(NamedTuple):
     programs: dict[str, dict[str, Program]]
     places: dict[str, Path]  # of markings: their reports may be shown
     findings: tuple[Diagnostic, ...] = ()
+    kept: Mapping[str, str] = {}  # SHA-256 of what a marking keeps, so that purging it is told
 
 
 NONE = Corpora({}, {})
@@ -47,6 +49,7 @@ def read_corpora(paths: Sequence[Path], out: Path | None = None) -> Corpora:
     programs: dict[str, dict[str, Program]] = {}
     places: dict[str, Path] = {}
     findings: list[Diagnostic] = []
+    kept: dict[str, str] = {}
     for path in paths:
         if not path.exists():
             raise CannotRead(f"there is no `{path}`")
@@ -65,7 +68,15 @@ def read_corpora(paths: Sequence[Path], out: Path | None = None) -> Corpora:
             raise CannotRead(f"the folders to compare with hold more than {MOST:,} programs")
         if marked:
             places[name] = path
-    return Corpora(programs, places, tuple(findings))
+        if marked or (path.is_file() and is_kept(path)):
+            kept[name] = digest_of(place_of(Layout(path)) if marked else path)
+    return Corpora(programs, places, tuple(findings), kept)
+
+
+def digest_of(path: Path) -> str:
+    """Return the SHA-256 of a file, in hexadecimal digits."""
+    with path.open("rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()
 
 
 def _of_marking(path: Path) -> dict[str, Program]:

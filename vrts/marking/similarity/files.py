@@ -141,7 +141,12 @@ def write_similarity(
     found = likeness(kept.programs, kept.given, kept.together, corpora.programs)
     groups = _with_pages(found.groups)
     corpus = tuple(
-        Corpus(name, len(programs), sum(one.sketch is not None for one in programs.values()))
+        Corpus(
+            name,
+            len(programs),
+            sum(one.sketch is not None for one in programs.values()),
+            corpora.kept.get(name, ""),
+        )
         for name, programs in sorted(corpora.programs.items())
     )
     ranking = msgspec.structs.replace(ranking, groups=groups, corpus=corpus)

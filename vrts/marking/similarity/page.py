@@ -205,10 +205,11 @@ def _method(ranking: Ranking) -> Markup:
         " both programs, and nothing else."
     )
     groups = (
-        "Groups rest on five kinds of evidence: what the runs did, in space and from the things of"
+        "Groups rest on six kinds of evidence: what the runs did, in space and from the things of"
         " each one's own scene; the steps as they are executed, calls put in place, loops of every"
         " kind alike, filler left out; numbers and taught values within a tolerance; comments,"
-        " names and layout; and the text. What a feature counts depends on how few have it, here"
+        " names and layout; the text; and how far apart taught values lie along an axis, to the"
+        " last digit. What a feature counts depends on how few have it, here"
         " and in the folders compared with. What comes with the task, and places that the scene"
         " names, count nothing."
     )

@@ -30,6 +30,7 @@ KINDS = {
     "numbers": "Numbers",
     "words": "Words and layout",
     "text": "Text",
+    "offsets": "Distances",
 }
 
 

@@ -14,10 +14,10 @@ import msgspec
 from msgspec import Meta
 
 from vrts.marking.result import Record
+from vrts.marking.similarity.features.taught import Taught, taught
 from vrts.marking.similarity.groups import Group
 from vrts.marking.similarity.regions import Region, regions
 from vrts.marking.similarity.symbols import Part, Readable, Reader, readable
-from vrts.marking.similarity.taught import Taught, taught
 from vrts.marking.similarity.winnowing import K, W, hashes, winnow
 
 SCHEMA = "vrts.similarity/2"
@@ -65,6 +65,7 @@ class Corpus(Record, frozen=True):
     name: str
     programs: int
     ran: Annotated[int, Meta(description="of which it is known what their runs did")]
+    sha256: Annotated[str, Meta(description="of its programs.zip; empty: it has none")] = ""
 
 
 class Ranking(Record, frozen=True):

@@ -93,7 +93,7 @@ def test_plan_run_merge_and_lists(lab: Path) -> None:
 
 
 @pytest.mark.thorough
-def test_a_merged_class_has_its_lateness_and_its_changes_by_hand(lab: Path) -> None:
+def test_a_merged_class_has_its_lateness_its_changes_by_hand_and_its_corpus(lab: Path) -> None:
     """They come from what stayed at home: the download may be gone by then."""
     with (lab / "lab" / "task.toml").open("a") as file:
         file.write("\n[late]\ndue = 2026-03-01T12:00:00+01:00\nper_day = 1\n")
@@ -105,14 +105,17 @@ def test_a_merged_class_has_its_lateness_and_its_changes_by_hand(lab: Path) -> N
     good(
         "change", "ben", "--from", "here", "--delta", "0.3", "--reason", "he was ill", "--who", "me"
     )
-    good("lab", "late", "-o", "here", "--no-pages")
+    (lab / "old").mkdir()
+    (lab / "old" / "max.v2").write_bytes(GOOD)
+    good("lab", "late", "-o", "here", "--no-pages", "--corpus", "old")
     good("plan", "lab", "late", "--shards", "1", "--no-pages")
     good("run", "plan/shards/shard-01.json", "-o", "results")
     shutil.rmtree("late")
     (lab / "out" / "staff").mkdir(parents=True)
     shutil.copy("here/staff/overrides.toml", "out/staff/overrides.toml")
-    good("merge", "plan", "results", "-o", "out")
+    good("merge", "plan", "results", "-o", "out", "--corpus", "old")
     there = same_class(lab / "here", lab / "out")
+    assert b"old/max" in there["staff/similarity.json"]
     rows = json.loads(there["staff/results.json"])["rows"]
     assert [bool(row["late"]) for row in rows] == [False, True]
 

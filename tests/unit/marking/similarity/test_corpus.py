@@ -1,6 +1,8 @@
 """What a marking keeps to compare with, other folders as a corpus, and the page of two programs."""
 
+import hashlib
 import json
+import shutil
 import zipfile
 from pathlib import Path
 
@@ -146,10 +148,21 @@ def test_a_marking_is_the_corpus_of_the_next_and_is_purged(tmp_path: Path) -> No
     assert run.invoke(vrts, words).exit_code == 0
     data = json.loads((tmp_path / "2026/staff/similarity.json").read_bytes())
     assert data["schema"] == "vrts.similarity/2"
-    assert data["corpus"] == [{"name": "2025", "programs": 2, "ran": 2}]
+    kept = place_of(Layout(tmp_path / "2025")).read_bytes()
+    sha256 = hashlib.sha256(kept).hexdigest()
+    assert data["corpus"] == [{"name": "2025", "programs": 2, "ran": 2, "sha256": sha256}]
     members = [group["members"] for group in data["groups"]]
     assert ["z2026", "2025/z2025"] in members
     assert from_bytes((tmp_path / "2026/staff/students/solution/motion.json").read_bytes()).stops
+    both = run.invoke(vrts, ["purge", old, new, "--older-than", "0d"], input="n\n")
+    assert "V780" not in both.output
+    shutil.copytree(old, tmp_path / "moved")
+    for asked, other in ((old, "2026"), (str(tmp_path / "moved"), "2026")):
+        told = run.invoke(vrts, ["purge", asked, "--older-than", "0d"], input="n\n").output
+        assert "warning[V780 copies-elsewhere]" in told
+        assert f"{other}` show programs of" in " ".join(told.split())
+        assert "vrts grade similarity" in told
+    shutil.rmtree(tmp_path / "moved")
     marks = (tmp_path / "2026/staff/marks.csv").read_bytes()
     assert run.invoke(vrts, ["grade", "similarity", new]).exit_code == 0
     data = json.loads((tmp_path / "2026/staff/similarity.json").read_bytes())
@@ -158,6 +171,8 @@ def test_a_marking_is_the_corpus_of_the_next_and_is_purged(tmp_path: Path) -> No
     assert (tmp_path / "2026/staff/marks.csv").read_bytes() == marks
     done = run.invoke(vrts, ["grade", "similarity", str(tmp_path / "in-2026")])
     assert done.exit_code != 0
+    again = run.invoke(vrts, ["purge", old, "--older-than", "0d"], input="n\n")
+    assert "V780" not in again.output  # compared again, without it
     done = run.invoke(vrts, ["purge", new, "--older-than", "0d", "--yes"])
     assert not (tmp_path / "2026/staff/similarity").exists(), done.output
 

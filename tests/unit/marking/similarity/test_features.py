@@ -141,3 +141,76 @@ def test_calls_that_pile_up_are_read_soon() -> None:
     text = "".join([".PROGRAM main()\n  CALL p0(SIG(1))\n.END\n", *parts])
     found = list(features_of(Program(text.encode()), "a", Reader()))
     assert sum(len(repr(feature.key)) for feature in found) < 1_000_000
+
+
+LOCATIONS = """.PROGRAM main()
+  MOVE a
+.END
+.LOCATIONS
+{} {} -480.25 {} 90 90 0
+{} 959.93 {} {} 90 90 0
+{} 780.41 259.84 {} 90 90 0
+.END
+"""
+
+
+def offsets(text: str) -> set[tuple[object, ...]]:
+    features = features_of(Program(text.encode()), "a", Reader())
+    return {one.key for one in features if one.channel is Channel.OFFSETS}
+
+
+def test_a_shift_along_one_axis_leaves_distances_to_the_last_digit_under_any_names() -> None:
+    plain = LOCATIONS.format("a", 829.94, -226.57, "b", -479.8, -226.61, "c", -165.96)
+    copy = LOCATIONS.format("q", 827.31, -222.57, "r", -477.03, -222.61, "s", -161.96)
+    along = {key for key in offsets(plain) if key[0] == 2}
+    assert along == {(2, 60.61), (2, 60.65), (2, 0.04)}
+    assert along <= offsets(copy)
+    assert not {key for key in offsets(plain) & offsets(copy) if key[0] == 0} - {(0, 179.52)}
+    told = [f for f in features_of(Program(plain.encode()), "a", Reader()) if f.key == (2, 60.61)]
+    assert words_of(told[0]) == "two taught values that lie exactly 60.61 mm apart along z"
+
+
+def test_round_distances_tell_nothing_as_everybody_writes_round_numbers() -> None:
+    assert not offsets(LOCATIONS.format("a", 830, -226.5, "b", -479.75, -226, "c", -165)) - {
+        (0, 129.93),
+        (0, 179.52),
+        (0, 49.59),
+        (1, 740.09),
+        (1, 739.59),
+    }
+
+
+HANDLES = """.PROGRAM main()
+  SPEED 75 ALWAYS
+  APPRO a, {}
+  SPEED 30
+  MOVES a
+  {}
+  CLOSEI
+  DELAY 0.2
+  {}
+  DEPARTS {}
+  MOVES b
+  OPENI
+.END
+"""
+
+
+def hands(text: str) -> set[tuple[object, ...]]:
+    features = features_of(Program(text.encode()), "a", Reader())
+    return {one.key for one in features if one.kind in ("hand", "two hands")}
+
+
+def test_how_the_hand_comes_waits_and_leaves_stays_whatever_stands_between() -> None:
+    plain = HANDLES.format(120, "", "", 190)
+    filled = HANDLES.format(115, 'TYPE "now"', "SIGNAL -7", 185)
+    assert hands(plain) == hands(filled)
+    assert len(hands(plain)) == 3
+    assert hands(plain) != hands(plain.replace("0.2", "0.3"))
+    assert hands(plain) != hands(plain.replace("SPEED 30", "SPEED 40"))
+    found = features_of(Program(plain.encode()), "a", Reader())
+    words = {words_of(one) for one in found if one.kind == "hand"}
+    said = (
+        "the same around the hand, whatever stands between: MOVES at 30 %, CLOSEI, a wait of 0.2 s"
+    )
+    assert any(one.startswith(said) for one in words), words

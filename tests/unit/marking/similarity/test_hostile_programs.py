@@ -15,9 +15,9 @@ from vrts.marking.result import Kind
 from vrts.marking.similarity.features.code import code_features
 from vrts.marking.similarity.features.extract import Program, features_of
 from vrts.marking.similarity.features.steps import LONGEST, MOST_NUMBERS, MOST_STEPS, steps_of
+from vrts.marking.similarity.features.taught import taught
 from vrts.marking.similarity.files import programs_of
 from vrts.marking.similarity.symbols import Reader, readable
-from vrts.marking.similarity.taught import taught
 from vrts.pipeline.compiling.programs import Compiled, compile_bytes
 
 

@@ -30,6 +30,19 @@ def test_copies_stand_first(tmp_path: Path) -> None:
     assert max(one.above for one in places) <= INNOCENT, told(places)
 
 
+@pytest.mark.thorough
+def test_a_copy_in_every_disguise_at_once_stands_before_all_innocent_groups(
+    tmp_path: Path,
+) -> None:
+    """Split, shifted, filled, renamed, laid out anew: what is left is how far values lie apart."""
+    whole = with_copies(honest("pallet", 1, 40, "four"), ("combined",), "four")
+    ((one,),) = (whole.planted,)
+    assert one.changes == ("split+values+filler+names+layout",)
+    found = graded(whole, tmp_path, (), "--no-collisions")
+    (place,) = placed(whole.planted, found.groups)
+    assert (place.rank, place.above, place.strangers) == (1, 0, 0), told([place])
+
+
 def test_a_seed_makes_the_same_class_each_time_and_another_seed_another() -> None:
     first, again, other = (honest("project", 2, 12, seed).texts for seed in (1, 1, 2))
     assert first == again

@@ -1,7 +1,7 @@
 """Steps in small pieces: each alone, two and three in a row, and what stands in expressions."""
 
 from collections.abc import Iterator, Sequence
-from itertools import islice
+from itertools import islice, pairwise
 from math import log2
 
 from vrts.ir.module import Module
@@ -9,6 +9,7 @@ from vrts.marking.similarity.features.feature import Channel, Feature, counted, 
 from vrts.marking.similarity.features.steps import Step, steps_of
 
 DEEDS = ("Move", "Depart", "Draw", "Drive", "Align", "Ready", "Nest", "MoveHand", "Grasp")
+HANDS = ("MoveHand", "Grasp")
 NUMBER_SHARE = 0.06  # of a number: the size of a cell of its logarithm, more or less
 ROWS = ((2, 8.0), (3, 10.0), (4, 12.0))  # numbers of deeds in a row, and the size of a cell
 DEEDS_IN_A_ROW = (3, 5, 8, 12)
@@ -35,6 +36,7 @@ def _pieces(steps: Sequence[Step]) -> Iterator[Feature]:
             size = max(0.5, abs(value) * NUMBER_SHARE)
             size = 2.0 ** round(log2(size))
             yield from near(Channel.NUMBERS, "about", (step.name,), (value,), size, step.line)
+    yield from _handling(steps)
     deeds = [step for step in steps if step.name.split(" ", 1)[0] in DEEDS]
     for length in DEEDS_IN_A_ROW:
         yield from _rows("deeds", [step.name for step in deeds], deeds, length)
@@ -50,6 +52,31 @@ def _pieces(steps: Sequence[Step]) -> Iterator[Feature]:
             names = tuple(step.name for step in row)
             numbers = [step.numbers[0] for step in row]
             yield from near(Channel.NUMBERS, "row", names, numbers, size, row[0].line)
+
+
+def _handling(steps: Sequence[Step]) -> Iterator[Feature]:
+    """Yield how the hand comes, what it is told, how long it waits, and how it leaves."""
+    told: list[tuple[tuple[object, ...], int]] = []
+    come, waits = "", 0.0
+    leaving: Step | None = None
+    for step in (*steps, None):
+        word = "" if step is None else step.name.split(" ", 1)[0]
+        if leaving is not None and (step is None or step.speed or word in HANDS):
+            away = _hasty(step) if step is not None and step.speed else ""
+            told.append(((come, leaving.name, round(waits, 2), away), leaving.line))
+            leaving = None
+        if step is None:
+            break
+        if step.speed:
+            come = _hasty(step)
+        elif word in HANDS:
+            leaving, waits = step, 0.0
+        elif word == "Delay" and step.numbers:
+            waits += step.numbers[0]
+    for key, line in told:
+        yield Feature(Channel.STEPS, "hand", key, line)
+    for (one, line), (two, _) in pairwise(told):
+        yield Feature(Channel.STEPS, "two hands", (*one, *two), line)
 
 
 def _rows(kind: str, words: Sequence[str], steps: Sequence[Step], length: int) -> Iterator[Feature]:

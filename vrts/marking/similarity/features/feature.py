@@ -15,6 +15,7 @@ class Channel(Enum):
     NUMBERS = "numbers"
     WORDS = "words"
     TEXT = "text"
+    OFFSETS = "offsets"
 
 
 class Feature(NamedTuple):

@@ -35,6 +35,8 @@ def words_of(feature: Feature) -> str:
         Channel.NUMBERS: _numbers,
         Channel.WORDS: _habits,
         Channel.TEXT: _text,
+        Channel.OFFSETS: _offsets,
+        Channel.OFFSETS: _offsets,
     }
     said = one_line(tell[feature.channel](feature.kind, feature.key))
     return said if len(said) <= LONGEST else f"{said[: LONGEST - 1]}…"
@@ -74,12 +76,25 @@ def _motion(kind: str, key: tuple[object, ...]) -> str:
 def _steps(kind: str, key: tuple[object, ...]) -> str:
     if kind == "step":
         return f"a step of the same form: {_step(str(key[0]))}"
+    if kind in ("hand", "two hands"):
+        more = "; the same at the next order to the hand" if kind == "two hands" else ""
+        return f"{_hand(key)}{more}"
     if kind == "exact":
         return f"the same step with the same numbers: {_step(str(key[0]))}"
     if kind == "speed":
         return f"{_step(str(key[0]))} at speed {_speed(str(key[1]))}"
     texts = [_step(str(one)) for one in key if isinstance(one, str)]
     return f"the same {len(texts)} steps in a row, whatever stands between: {', '.join(texts)}"
+
+
+def _hand(key: tuple[object, ...]) -> str:
+    """Return how the hand comes, is told, and leaves."""
+    come, told, waits, away, *_ = key
+    parts = [_step(str(one)) for one in (come, told) if one]
+    if waits:
+        parts.append(f"a wait of {_number(waits)} s")
+    parts += [_step(str(away))] if away else []
+    return f"the same around the hand, whatever stands between: {', '.join(parts)}"
 
 
 def _numbers(kind: str, key: tuple[object, ...]) -> str:
@@ -99,6 +114,12 @@ def _numbers(kind: str, key: tuple[object, ...]) -> str:
         case _:
             names = [_step(one) for one in key if isinstance(one, str)]
             return f"nearly the same numbers in a row: in {', '.join(names)}"
+
+
+def _offsets(_kind: str, key: tuple[object, ...]) -> str:
+    axis, by = key
+    along = "xyz"[axis] if isinstance(axis, int) and 0 <= axis < 3 else str(axis)
+    return f"two taught values that lie exactly {_number(by)} mm apart along {along}"
 
 
 def _text(_kind: str, _key: tuple[object, ...]) -> str:
@@ -127,7 +148,7 @@ def _step(shape: str) -> str:
     head, _, said = head.partition(" at ")
     name = next((deed for known, deed in _DEEDS.items() if known == head.rstrip()), head)
     parts = [part for part in inside.split(";") if part not in ("", "-")]
-    speed = f" at {said}" if said else ""
+    speed = f" at {_speed(said)}" if said else ""
     return f"{name} {', '.join(parts)}".strip() + speed
 
 

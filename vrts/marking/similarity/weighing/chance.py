@@ -24,8 +24,9 @@ LONG = 100.0  # nats of what is common, from which on a program is not alike for
 SURE = 32.0  # nats
 LEAST_PAIRS = 500.0  # a small class is taken for a larger one: little is known of it
 MOST_SURPRISE = 40.0  # nats of one channel
-# of the channels, in their order: comments and layout are alike for many innocent reasons
-FACTORS = (1.0, 1.0, 1.0, 0.7, 1.0)
+# of the channels, in their order: comments and layout are alike for many innocent reasons, and are
+# what a disguise changes first
+FACTORS = (1.0, 1.0, 1.0, 0.5, 1.0, 1.0)
 NEAR_FACTOR = 2.0  # of nearness, which few disguises reach
 NEIGHBOURS = slice(3, 8)  # of a program, by likeness: what is usual for it
 BEGIN, TAIL, END = 0.80, 0.95, 0.995  # quantiles between which innocent pairs thin out evenly
