@@ -1,7 +1,9 @@
 """The groups of a class as a section of its page: who, how strong, why, and where to compare."""
 
+from collections import Counter
 from collections.abc import Mapping
 
+from vrts.marking.similarity.evidence import MOST
 from vrts.marking.similarity.groups import Group
 from vrts.marking.similarity.ranking import Ranking
 from vrts.report.page.html import Child, Markup, element, joined, prose
@@ -9,6 +11,18 @@ from vrts.report.plain import one_line
 
 MOST_REASONS = 3
 MOST_PAGES = 12  # of a group, linked
+ALIKE = {  # of evidence, what one of it is, and several
+    "motion": ("place or motion", "places and motions"),
+    "steps": ("step or row of steps", "steps and rows of steps"),
+    "numbers": ("number or taught value", "numbers and taught values"),
+    "offsets": ("exact distance of taught values", "exact distances of taught values"),
+    "words": ("name, comment or habit of layout", "names, comments and habits of layout"),
+    "text": ("row of words", "rows of words"),
+}
+UNLIKE = {  # what is not alike, where there is no evidence of it
+    "words": "other names and comments",
+    "text": "another wording or order of steps",
+}
 MEANING = {
     "strong": "chance hardly explains it",
     "worth a look": "chance may explain it",
@@ -26,7 +40,7 @@ def groups_section(ranking: Ranking, labels: Mapping[str, Markup]) -> Markup:
     if not ranking.groups:
         nothing = "No programs hang together more than chance explains."
         return element("section", element("h2", "Groups"), element("p", nothing))
-    heads = ("No.", "Programs", "Strength", "What they share, the rarest first", "Compare")
+    heads = ("No.", "Programs", "Strength", "Why", "Compare")
     head = element("tr", *(element("th", text, scope="col") for text in heads))
     rows = [_row(k, group, labels) for k, group in enumerate(ranking.groups, start=1)]
     table = element("table", element("thead", head), element("tbody", *rows), class_="groups")
@@ -63,9 +77,26 @@ def _row(number: int, group: Group, labels: Mapping[str, Markup]) -> Markup:
             element("small", MEANING[group.strength]),
             class_=f"strength {group.strength.split(' ', 1)[0]}",
         ),
-        element("td", _reasons(group)),
+        element("td", element("p", why(group), class_="why"), _reasons(group)),
         element("td", *_pages(group, labels)),
     )
+
+
+def why(group: Group) -> str:
+    """Return in a sentence what the strongest two of a group have alike and rare, and what not."""
+    counts = Counter(one.what for one in group.evidence)
+    told = [
+        f"{counts[kind]} {one if counts[kind] == 1 else several}"
+        for kind, (one, several) in ALIKE.items()
+        if counts[kind]
+    ]
+    if not told:
+        return "They share many small things, none of which is rare."
+    whole = len(group.evidence) < MOST  # else there may be more of a kind that is not told
+    unlike = [words for kind, words in UNLIKE.items() if whole and not counts[kind]]
+    but = f", but {' and '.join(unlike)}" if unlike else ""
+    *most, last = told
+    return f"Alike and rare: {' and '.join([*([', '.join(most)] if most else []), last])}{but}."
 
 
 def _reasons(group: Group) -> Markup:

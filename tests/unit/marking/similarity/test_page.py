@@ -12,8 +12,11 @@ from vrts.assignments.pack import student_zip
 from vrts.assignments.task_folder import read_folder
 from vrts.cli.main import vrts
 from vrts.marking.layout import Layout
+from vrts.marking.similarity.evidence import MOST
 from vrts.marking.similarity.features.extract import Program
 from vrts.marking.similarity.files import given, write_similarity
+from vrts.marking.similarity.groups import Evidence, Group
+from vrts.marking.similarity.groups_section import why
 from vrts.marking.similarity.kept import Kept
 from vrts.marking.similarity.page import similarity_page
 from vrts.marking.similarity.ranking import similarity
@@ -123,3 +126,19 @@ def test_grade_writes_overview_and_similarity_for_the_staff(tmp_path: Path) -> N
     assert CliRunner().invoke(vrts, words).exit_code == 0
     assert not (out / "staff" / "similarity.html").exists()
     assert "similarity.html" not in (out / "staff" / "index.html").read_text()
+
+
+def test_a_group_says_why_in_a_sentence_and_claims_no_difference_it_does_not_know() -> None:
+    def evidence(*kinds: str) -> tuple[Evidence, ...]:
+        return tuple(Evidence(kind, "x", 2.0, 0, 1, 1) for kind in kinds)
+
+    def said(*kinds: str) -> str:
+        return why(Group(("a", "b"), 0.9, "strong", 0.01, (), evidence(*kinds)))
+
+    assert said("motion", "motion", "steps", "offsets") == (
+        "Alike and rare: 2 places and motions, 1 step or row of steps and 1 exact distance of"
+        " taught values, but other names and comments and another wording or order of steps."
+    )
+    assert said("words", "text").endswith("habit of layout and 1 row of words.")
+    assert "but" not in said(*["motion"] * MOST)  # more may be alike that is not told
+    assert said() == "They share many small things, none of which is rare."
