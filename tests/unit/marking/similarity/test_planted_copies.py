@@ -34,9 +34,9 @@ def test_copies_stand_first(tmp_path: Path) -> None:
 def test_a_copy_in_every_disguise_at_once_stands_before_all_innocent_groups(
     tmp_path: Path,
 ) -> None:
-    """Other loops and order, shifted, renamed, laid out otherwise: values still lie as far apart."""
+    """Other loops, order, values, names and layout: some values still lie as far apart."""
     whole = with_copies(honest("pallet", 1, 28, "one"), ("combined",), "one")
-    ((one,),) = (whole.planted,)
+    (one,) = whole.planted
     assert one.changes == ("loops+steps+values+names+layout",)
     found = graded(whole, tmp_path, (), "--no-collisions")
     (place,) = placed(whole.planted, found.groups)
