@@ -12,12 +12,13 @@ EPILOG = """\b
 Examples:
   vrts editor vscode -o vrts.vsix && code --install-extension vrts.vsix
   vrts editor neovim >> ~/.config/nvim/init.lua
+  vrts editor helix >> ~/.config/helix/languages.toml
 """
-SETUP = {"neovim": "neovim.lua", "emacs": "emacs.el"}  # in vrts.editors
+SETUP = {"neovim": "neovim.lua", "emacs": "emacs.el", "helix": "helix.toml"}  # in vrts.editors
 
 
 @click.command(name="editor", epilog=EPILOG)
-@click.argument("editor", type=click.Choice(["vscode", "neovim", "emacs"]))
+@click.argument("editor", type=click.Choice(["vscode", "neovim", "emacs", "helix"]))
 @file_option(
     "-o",
     "--output",

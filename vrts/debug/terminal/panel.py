@@ -60,10 +60,13 @@ def source_rows(session: Session, view: View, room: int, height: int) -> list[Ro
     }
     motion = debugger.state.cause
     moving = motion.span.line if motion is not None and motion.span.source is source else None
+    blamed = debugger.stop.cause
+    blame = blamed.span.line if blamed is not None and blamed.span.source is source else None
     rows: list[Row] = []
     for line in range(first, min(first + height, count + 1)):
         mark = " " if line not in points else "◆" if points[line] else "●"
-        here = "▶" if line == cause.span.line else "~" if line == moving else " "
+        here = "▶" if line == cause.span.line else " "
+        here = here if here != " " else "!" if line == blame else "~" if line == moving else " "
         text = visible(source.line_text(line).replace("\t", "    "))
         style = "here" if line == cause.span.line else "chosen" if line == view.cursor else ""
         rows.append(
@@ -111,7 +114,8 @@ def _title(session: Session, columns: int) -> list[Row]:
 
 def _words(stop: Stop) -> str:
     text = f": {one_line(stop.text)}" if stop.text else ""
-    return f"{WORDS[stop.why]}{text}"
+    blamed = f"; caused by line {stop.cause.span.line}" if stop.cause is not None else ""
+    return f"{WORDS[stop.why]}{text}{blamed}"
 
 
 def _below(debugger: Debugger, view: View) -> list[Row]:

@@ -170,6 +170,8 @@ def test_at_80_columns_every_screen_is_readable_at_a_contact(tmp_path: Path) -> 
     there.press("c")
     shown = there.screen()
     assert "ALARM: can1 touches base1, holding can1; 59.0 mm deep at" in shown
+    assert "caused by line 11" in shown
+    assert "11 ! APPROS base2_put, 60" in shown
     assert "base2_put    1100 230 -125 90 90 0" in shown
     there.press("y")
     assert "this speed is in force: 60 %" in there.screen()
