@@ -1829,6 +1829,27 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/debug/test_debugger.py",),
     ),
     Patch(
+        "debug: what cannot be is taken as the condition of a breakpoint",
+        "vrts/debug/scripted/stopping.py",
+        "    if problem:\n        raise Refusal(problem)\n    source, line",
+        "    source, line",
+        ("tests/unit/debug/scripted/test_commands.py",),
+    ),
+    Patch(
+        "debug: the record of a session leaves out what leads elsewhere",
+        "vrts/debug/scripted/recording.py",
+        "done.command if done.ok else",
+        "done.command if done.ok and not done.command.startswith('tick') else",
+        ("tests/unit/debug/terminal/test_keys.py",),
+    ),
+    Patch(
+        "debug: a script that takes too long goes on",
+        "vrts/debug/scripted/script.py",
+        "    timer.start()\n",
+        "",
+        ("tests/unit/debug/scripted/test_commands.py",),
+    ),
+    Patch(
         "debug: the condition of a breakpoint is not looked at",
         "vrts/debug/stops/came.py",
         "return _FALSE if value == 0.0 else _TRUE",
