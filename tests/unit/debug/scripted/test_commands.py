@@ -163,7 +163,7 @@ def test_much_is_cut() -> None:
 def test_a_script_that_takes_too_long_ends_and_says_so(tmp_path: Path) -> None:
     s = session(tmp_path)
     waits = threading.Event()
-    s.restart = lambda: str(waits.wait())
+    s.restart = lambda: str(waits.wait(3.0))
     lines = commands_of(("step; restart; step",))
     *first, last = performed(s, lines, 0.2)
     assert [done.command for done in first] == ["step"]
