@@ -43,10 +43,10 @@ FIXED: dict[str, list[str]] = {  # what looks at the text only
     ],
 }
 PYTEST = [PYTHON, "-m", "pytest"]
-TESTS = {"tests": [*PYTEST, "--workers", WORKERS]}
+TESTS = {"tests": [*PYTEST, "-n", WORKERS]}
 THOROUGH, PATCHES = "thorough", "sabotage"
 REST: dict[str, list[str]] = {
-    THOROUGH: [*PYTEST, "--workers", WORKERS, "-m", "thorough and not live"],
+    THOROUGH: [*PYTEST, "-n", WORKERS, "-m", "thorough and not live"],
     "live": [*PYTEST, "-p", "no:xdist", "-m", "live"],
     PATCHES: ["nice", "-n", "5", PYTHON, "-m", "tests.sabotage", "--passed"],  # by other stages
 }

@@ -4,19 +4,18 @@ Tests that are thorough (marker `thorough`) run in `python -m tests --all`, wher
 tried with all their examples.
 """
 
-import contextlib
 import gc
 import os
+import shutil
 import signal
 import tempfile
-from collections.abc import Generator
 from pathlib import Path
 
 import pytest
 from hypothesis import settings
 from xdist.scheduler import LoadScopeScheduling
 
-from tests import constants, marked, workers
+from tests import constants, marked
 from tests.laws import examples
 from tests.times import seconds
 
@@ -39,31 +38,22 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
-@contextlib.contextmanager
-def own_keys() -> Generator[None]:
-    """Keep keys of logs, which servers of tests make, away from the user's own."""
-    with tempfile.TemporaryDirectory(prefix="vrts-tests-") as folder:
-        os.environ["XDG_STATE_HOME"] = folder
-        yield
+_STATE = pytest.StashKey[str]()
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Begin with keys of our own; divide the tests among workers that are asked for."""
-    keys = contextlib.ExitStack()
-    keys.enter_context(own_keys())
-    config.add_cleanup(keys.close)
-    number = config.getoption("--workers")
-    if number:
-        config.pluginmanager.register(workers.Workers(number, group, own_keys))
+    """Keep keys of logs, which servers of tests make, away from the user's own."""
+    config.stash[_STATE] = os.environ["XDG_STATE_HOME"] = tempfile.mkdtemp(prefix="vrts-tests-")
+
+
+def pytest_unconfigure(config: pytest.Config) -> None:
+    """Forget those keys."""
+    shutil.rmtree(config.stash[_STATE])
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    """Take the folder of programs that `tests/bench/test_bench_strangers.py` measures, and workers.
-
-    `--workers` reads the tests once and forks; xdist's `-n` has every worker read them.
-    """
+    """Take the folder of programs that `tests/bench/test_bench_strangers.py` measures."""
     parser.addoption("--strangers", default=None, help="a folder of programs, one for a language")
-    parser.addoption("--workers", default=0, type=int, help="so many processes run the tests")
 
 
 def group(nodeid: str) -> str:
