@@ -13,12 +13,18 @@ CPU time of the tests; what nobody noticed is said again at the end.
 A patch that opens a race is noticed only where the race is lost. So the named tests run once more
 where none of them failed, or their process died, and the verdict says `2nd try`: better to let
 such a test wait for an event.
+
+`--minutes=N` begins no patch later than that: a slow machine must not keep everybody waiting. The
+closing line says how many were not tried. Each commit begins with others.
 """
 
 import json
 import os
+import random
+import subprocess
 import sys
 import tempfile
+import time
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -70,6 +76,10 @@ def main(words: list[str]) -> int:
         return 0
     if "--chosen" in words:
         return chosen.main(wanted)
+    minutes = [float(word.partition("=")[2]) for word in words if word.startswith("--minutes=")]
+    latest = time.monotonic() + 60.0 * minutes[0] if minutes else float("inf")
+    if minutes:
+        random.Random(commit()).shuffle(wanted)
     os.environ["OPENBLAS_NUM_THREADS"] = "1"  # before a child loads it
     with tempfile.TemporaryDirectory() as folder:
         untouched = copy_tree(ROOT, Path(folder) / "untouched")
@@ -84,20 +94,23 @@ def main(words: list[str]) -> int:
             free.put(Tree(untouched, Path(folder) / f"patched-{i}"))
         with ThreadPoolExecutor(max_workers=AT_ONCE) as pool:
             first: dict[str, str] = json.loads(FIRST.read_text(encoding="utf-8"))
-            jobs = [pool.submit(verdict, one, free, first.get(one.name)) for one in wanted]
+            jobs = [pool.submit(verdict, one, free, first.get(one.name), latest) for one in wanted]
             verdicts: list[Verdict] = []
             for job in jobs:
                 found = job.result()
-                verdicts.append(found)
-                print(found, flush=True)
+                if found is not None:
+                    verdicts.append(found)
+                    print(found, flush=True)
     missed = [found for found in verdicts if found.test is None]
     for found in [*(found for found in verdicts if found.note == TWICE), *missed]:
         print(found)
     cpu_s = sum(found.cpu_s for found in verdicts)
     print(
-        f"sabotage: {len(wanted) - len(missed)} of {len(wanted)} patches noticed "
+        f"sabotage: {len(verdicts) - len(missed)} of {len(verdicts)} patches noticed "
         f"in {cpu_s:.0f} s of CPU time"
     )
+    if len(verdicts) < len(wanted):
+        print(f"{len(wanted) - len(verdicts)} patches were not tried: {minutes[0]:g} minutes over")
     if "--remember" in words:
         kept = {one.name: first[one.name] for one in PATCHES if one.name in first}
         kept |= {found.patch.name: found.test for found in verdicts if found.test is not None}
@@ -105,14 +118,25 @@ def main(words: list[str]) -> int:
     return 1 if missed else 0
 
 
-def verdict(patch: Patch, free: SimpleQueue[Tree], first: str | None) -> Verdict:
-    """Return which test notices a patch, or what is wrong.
+def commit() -> str:
+    """Return the name of the commit that is tried."""
+    words = ["git", "rev-parse", "HEAD"]
+    return subprocess.run(words, cwd=ROOT, capture_output=True, text=True, check=True).stdout
+
+
+def verdict(
+    patch: Patch, free: SimpleQueue[Tree], first: str | None, latest: float
+) -> Verdict | None:
+    """Return which test notices a patch, or what is wrong; None: it is too late to begin.
 
     Args:
         patch: The patch.
         free: Trees that nobody uses.
         first: The test that noticed it last; None: nobody knows.
+        latest: When it may begin at the latest, by the monotonic clock [s].
     """
+    if time.monotonic() > latest:
+        return None
     tree = free.get()
     cpu_s = 0.0
     note = ""
