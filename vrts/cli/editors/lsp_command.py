@@ -30,4 +30,4 @@ def command(no_runs: bool) -> None:
         fail(f"the package {missing.name} is not installed", ('pip install "vrts[ide]"',))
     incoming, outgoing = sys.stdin.buffer, sys.stdout.buffer
     sys.stdout = sys.stderr  # nothing but messages goes to the client
-    serve(incoming, outgoing, runs=not no_runs)
+    sys.exit(serve(incoming, outgoing, runs=not no_runs))

@@ -1,5 +1,6 @@
 """The outline of a file: its programs with their labels, and its data."""
 
+from bisect import bisect_left
 from enum import Enum
 from typing import NamedTuple
 
@@ -37,11 +38,17 @@ class Symbol(NamedTuple):
 def symbols(document: Document) -> list[Symbol]:
     """Return the programs and data sections of a file, in the order of the text."""
     names = document.names
-    found = [_program(document, program) for program in names.programs]
+    places = [o for o in names.occurrences if o.kind is Kind.LABEL and o.role is Role.WRITE]
+    places.sort(key=_start)
+    found = [
+        _program(program, _between(places, program.start, program.end))
+        for program in names.programs
+    ]
     written = [o for o in names.occurrences if o.role is Role.WRITE and o.sure]
+    written.sort(key=_start)
     for section in names.data:
         start, end = section.header.start, max(section.finish[1], section.header.end)
-        inside = [o for o in written if start <= o.start < end][:MOST_DATA]
+        inside = _between(written, start, end)[:MOST_DATA]
         parts = tuple(_datum(document, occurrence) for occurrence in inside)
         header = section.header
         title = header.text.split()[0].upper() if header.text else section.kind
@@ -66,12 +73,20 @@ def header_of(program: ProgramNames) -> str:
     return f"{program.name}({formals})" if formals else program.name
 
 
-def _program(document: Document, program: ProgramNames) -> Symbol:
+def _start(o: Occurrence) -> int:
+    return o.start
+
+
+def _between(ordered: list[Occurrence], start: int, end: int) -> list[Occurrence]:
+    """Return the names that begin in a range, of some in the order of the text."""
+    return ordered[bisect_left(ordered, start, key=_start) : bisect_left(ordered, end, key=_start)]
+
+
+def _program(program: ProgramNames, places: list[Occurrence]) -> Symbol:
     labels = tuple(
         Symbol(o.target.name, "label", What.LABEL, o.start, o.end, o.start, o.end)
-        for o in document.names.occurrences
-        if o.kind is Kind.LABEL and o.role is Role.WRITE and o.target.program == program.name
-        if program.start <= o.start < program.end
+        for o in places
+        if o.target.program == program.name
     )
     detail = header_of(program)[len(program.name) :]
     place = (program.name_start, program.name_end)

@@ -1,26 +1,42 @@
 """A server with all its features, from the first message of a client to its end."""
 
+import asyncio
 import gc
+import logging
 import signal
 import sys
 from collections.abc import Generator
+from concurrent.futures import CancelledError
 from contextlib import contextmanager
+from threading import Thread
 from typing import BinaryIO, cast
 
 from vrts.base.stack import DEPTH
-from vrts.lsp.server import colours, helping, mending, outlining, referring, running, syncing
+from vrts.lsp.server import (
+    colours,
+    editor,
+    helping,
+    mending,
+    outlining,
+    referring,
+    running,
+    syncing,
+)
 from vrts.lsp.server.session import Session
-from vrts.lsp.server.stream import Bounded
+from vrts.lsp.server.stream import Broken, Messages, Outgoing
 
 SWITCH_S = 0.001  # how soon the thread that checks lets an answer through
+AHEAD = 16  # messages that are read before one is carried out
 RARELY = (50_000, 50, 50)  # collections: summaries are many, live long and have no cycles
 
 
-def serve(incoming: BinaryIO, outgoing: BinaryIO, *, runs: bool = True) -> None:
-    """Serve one client until it leaves or is gone.
+def serve(incoming: BinaryIO, outgoing: BinaryIO, *, runs: bool = True) -> int:
+    """Serve one client until it leaves or is gone; return the status to exit with.
+
+    That is 1 where the client said `exit` without `shutdown`, or where its process is gone.
 
     Args:
-        incoming: What the client says.
+        incoming: What the client says: a file of the system.
         outgoing: What it is told.
         runs: Whether programs are run in the background, in processes beside this one.
 
@@ -33,9 +49,50 @@ def serve(incoming: BinaryIO, outgoing: BinaryIO, *, runs: bool = True) -> None:
     session = session_with_features(runs=runs)
     try:
         with _interruptible():
-            session.start_io(cast(BinaryIO, Bounded(incoming)), outgoing)
+            return asyncio.run(_follow(session, incoming, outgoing))
     finally:
         session.leave()
+
+
+async def _follow(session: Session, incoming: BinaryIO, outgoing: BinaryIO) -> int:
+    """Carry out what a client says, until it leaves or is gone."""
+    loop = asyncio.get_running_loop()
+    told: asyncio.Queue[bytes | Broken | None] = asyncio.Queue(AHEAD)
+    gone: asyncio.Future[int] = loop.create_future()
+    session.begin(gone)
+    session.followed.set_writer(Outgoing(outgoing, gone))
+    Thread(target=_listen, args=(incoming, loop, told), daemon=True).start()
+    following = asyncio.create_task(_carry_out(session, told))
+    await asyncio.wait({following, gone}, return_when=asyncio.FIRST_COMPLETED)
+    return following.result() if following.done() else gone.result()
+
+
+async def _carry_out(session: Session, told: "asyncio.Queue[bytes | Broken | None]") -> int:
+    while session.followed.status is None:
+        said = await told.get()
+        if said is None:
+            return 0
+        session.followed.take(said)
+    return session.followed.status
+
+
+def _listen(
+    incoming: BinaryIO,
+    loop: asyncio.AbstractEventLoop,
+    told: "asyncio.Queue[bytes | Broken | None]",
+) -> None:
+    """Read what a client says: in a thread that nobody waits for, as no word may come any more."""
+    with open(incoming.fileno(), "rb", buffering=0, closefd=False) as stream:  # without a lock
+        messages = Messages(cast(BinaryIO, stream))
+        said: bytes | Broken | None = b""
+        while said is not None:
+            said = messages.next()
+            put = told.put(said)
+            try:
+                asyncio.run_coroutine_threadsafe(put, loop).result()
+            except (RuntimeError, CancelledError):  # the session has ended meanwhile
+                put.close()
+                return
 
 
 @contextmanager
@@ -62,7 +119,9 @@ def _interruptible() -> Generator[None]:
 
 def session_with_features(*, runs: bool = True) -> Session:
     """Return a server that answers everything it can."""
+    logging.getLogger("pygls").addHandler(logging.NullHandler())  # refusals are no tracebacks
+    logging.getLogger("pygls").propagate = False
     session = Session(runs=runs)
-    for features in (syncing, outlining, helping, referring, colours, mending, running):
+    for features in (editor, syncing, outlining, helping, referring, colours, mending, running):
         features.register(session)
     return session

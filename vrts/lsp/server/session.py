@@ -8,6 +8,7 @@ from concurrent.futures import ThreadPoolExecutor
 from typing import Any, TypeVar
 
 from lsprotocol import types
+from pygls.exceptions import JsonRpcInvalidParams
 from pygls.lsp.server import LanguageServer
 from pygls.uris import from_fs_path, to_fs_path
 
@@ -25,6 +26,7 @@ from vrts.lsp.server.background.verifying import Subject, Verifications
 from vrts.lsp.server.background.watching import watch
 from vrts.lsp.server.diagnostics import converted, converted_finding
 from vrts.lsp.server.places import Places
+from vrts.lsp.server.protocol import MOST_TOLD, Protocol
 from vrts.lsp.server.scenarios import Scenarios
 
 Result = TypeVar("Result")
@@ -38,11 +40,12 @@ class Session(LanguageServer):
     def __init__(self, *, runs: bool = True) -> None:
         """Begin; `runs`: whether processes beside it run programs and know an arm."""
         self.runs = runs
-        super().__init__("vrts", __version__)  # pyright: ignore[reportUnknownMemberType]
+        super().__init__("vrts", __version__, protocol_cls=Protocol)  # pyright: ignore[reportUnknownMemberType]
         self.documents = Documents()
         self._uris: dict[str, str] = {}  # of open buffers, as the client writes them
         self._checks: dict[str, asyncio.Task[None]] = {}
         self._watch: asyncio.Task[None] | None = None
+        self._lasting: list[asyncio.Task[None]] = []
         self._found: dict[str, tuple[Document, tuple[Diagnostic, ...]]] = {}
         self.reading = Reading(self, self.documents, self._check_folder)
         self.reaching = Reaching()
@@ -50,6 +53,16 @@ class Session(LanguageServer):
         self.scenarios = Scenarios()
         self.verifications = Verifications(_background, self._learned)
         self._worker = ThreadPoolExecutor(1, "check")  # one: answers come first
+
+    @property
+    def followed(self) -> Protocol:
+        """What follows the words of the client."""
+        assert isinstance(self.protocol, Protocol)
+        return self.protocol
+
+    def begin(self, gone: "asyncio.Future[int]") -> None:
+        """Take what learns that the client is gone, with the status to exit with."""
+        self.gone = gone
 
     # --- buffers --------------------------------------------------------------------------------
 
@@ -78,10 +91,16 @@ class Session(LanguageServer):
         self.text_document_publish_diagnostics(types.PublishDiagnosticsParams(uri, []))
 
     def document(self, uri: str) -> Document:
-        """Return a buffer; an empty one where the client asks for what it has not opened."""
+        """Return a buffer.
+
+        Raises:
+            JsonRpcInvalidParams: The client has not opened it.
+        """
         self.reading.stand_back()
-        path = path_of(uri)
-        return self.documents.open.get(path) or Document(path, "")
+        document = self.documents.open.get(path_of(uri))
+        if document is None:
+            raise JsonRpcInvalidParams(f"`{uri[:MOST_TOLD]}` is not open")
+        return document
 
     def group(self, document: Document) -> list[Document]:
         """Return the files that belong together with a buffer, itself first, of those read yet."""
@@ -122,6 +141,10 @@ class Session(LanguageServer):
                 self._check_soon(path)
 
     # --- work in the background -----------------------------------------------------------------
+
+    def in_background(self, work: Coroutine[Any, Any, None]) -> None:
+        """Begin something that lasts as long as the session, if nothing ends it."""
+        self._lasting.append(_background(work))
 
     async def aside(self, work: Callable[[], Result]) -> Result:
         """Do work in the thread that checks, so that answers need not wait for it."""
