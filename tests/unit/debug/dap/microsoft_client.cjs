@@ -93,7 +93,11 @@ const scenes = {
     const there = await everything(client);
     await go(client, "stepBack", { granularity: "instruction" });
     assert.notDeepEqual(await everything(client), there);
-    assert.equal((await go(client, "continue")).text, info.description.split(";").slice(0, 2).join(";"));
+    const { text } = await go(client, "continue");
+    const said = info.description.split(";").slice(0, 2).join(";");
+    assert.equal(text, `${said}; caused by line 11; the program is at line 12`);
+    const { stackFrames } = (await client.stackTraceRequest({ threadId: ROBOT })).body;
+    assert.deepEqual(stackFrames.slice(0, 2).map((frame) => frame.line), [11, 12]);
     assert.equal((await go(client, "reverseContinue")).reason, "entry");
     await client.setExceptionBreakpointsRequest({ filters: [] });
     assert.equal((await go(client, "continue")).reason, "pause");
