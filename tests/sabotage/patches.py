@@ -36,6 +36,20 @@ __all__ = ["PATCHES", "Patch"]
 
 PATCHES: tuple[Patch, ...] = (
     Patch(
+        "the debugger jumps behind the step that wrote a value, and not before it",
+        "vrts/debug/history/track.py",
+        "            found = instant_of(run, moment.number - 1)",
+        "            found = instant_of(run, moment.number)",
+        ("tests/unit/debug/history",),
+    ),
+    Patch(
+        "a change of a variable in a later step is what wrote it last",
+        "vrts/debug/history/track.py",
+        "        return found - 1 if found else None",
+        "        return min(found, len(self.moments) - 1) if found else None",
+        ("tests/unit/debug/history",),
+    ),
+    Patch(
         "students are told places that they are to find",
         "vrts/scene/handling/withheld.py",
         "if name not in withheld}",

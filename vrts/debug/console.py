@@ -11,6 +11,8 @@ from vrts.debug.debugger import Debugger
 from vrts.debug.evaluating import CannotTell, evaluate, worked_out
 from vrts.debug.frames import Frame, frames
 from vrts.debug.giving import Target, command_for, given, target_of
+from vrts.debug.history import answers
+from vrts.debug.passages import Instant
 from vrts.engine.memory.cells import Bound
 from vrts.ir.commands import Answer, Command, SetLocal
 from vrts.ir.module import Module
@@ -22,12 +24,16 @@ from vrts.monitor.folder import WorkingFolder
 from vrts.monitor.listings import value_text
 from vrts.monitor.monitor import Monitor
 from vrts.report.because import chain_lines
-from vrts.why.asking import Unknown, why_at, why_of
+from vrts.why.chain import Link
 
 _ASSIGNED = re.compile(
     r"\s*(?P<name>[$#]?[A-Za-z][\w.]*\s*(\[[^\]=]{1,60}\]|\([^)=]{1,60}\))?)\s*=\s*(?P<value>[^=].*)"
 )
-_WHY = re.compile(r"\s*why(?:\s+(?P<of>[$#]?[A-Za-z][\w.]*\s*(?:\[[-\d, ]+\])?))?\s*", re.I)
+_ASKED = re.compile(
+    r"\s*(?P<word>why|who|next|go)(?:\s+(?P<of>[$#]?[A-Za-z\d][\w.]*\s*"
+    r"(?:\[[-\d, ]+\]|\(\s*\d+\s*\)|\s\d+|\s+output\s+\d+)?))?\s*",
+    re.I,
+)
 NO_HINTS = "the task allows no hints"
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)")
 
@@ -45,6 +51,8 @@ class Console:
         """Take a debugger, the folder of files, the sources in memory, and what may be told."""
         self._hints = hints
         self._debugger = debugger
+        self._rows: list[Instant] = []  # where the numbers lead that were shown last
+        self._asked_of = debugger.run
         desk = Desk(WorkingFolder(folder), debugger.dialect, asks=False, replace=True)
         self._monitor = Monitor(desk)
         for source in sources:
@@ -78,9 +86,9 @@ class Console:
             if assigned is not None:
                 shown = self.give(assigned["name"], assigned["value"], frame)
                 return f"{shown}\n"
-            asked = _WHY.fullmatch(line)
-            if asked is not None and "why" not in debugger.state.variables:
-                return f"{self.why(asked['of'])}\n"
+            asked = _ASKED.fullmatch(line)
+            if asked is not None and self._is_question(asked["word"].lower(), asked["of"]):
+                return f"{self.ask(asked['word'].lower(), asked['of'] or '', frame)}\n"
             try:
                 value = self.value(line, frame)
             except CannotTell as problem:
@@ -94,23 +102,93 @@ class Console:
             text += _refused(debugger.change(turn.commands))
         return text
 
-    def why(self, name: str | None = None) -> str:
-        """Return why the arm does what it does, or a variable or a thing is what it is.
+    def ask(self, word: str, name: str, frame: Frame | None = None) -> str:
+        """Return the answer to `who`, `next`, `why` or `go`, with numbers to `go` to.
+
+        Raises:
+            CannotTell: `go` leads nowhere.
+        """
+        if word == "go":
+            return self.go(name)
+        try:
+            if word == "why":
+                return self.why(name, frame)
+            told = self.changed(word, name, frame)
+        except CannotTell as problem:
+            return str(problem)
+        lines, self._rows = answers.rows(told)
+        self._asked_of = self._debugger.run
+        return "\n".join(lines)
+
+    def changed(
+        self, word: str, name: str, frame: Frame | None = None
+    ) -> list[answers.Found | str]:
+        """Return the last change of a name up to here, for `who`; for `next` the next one.
+
+        Raises:
+            CannotTell: Nothing has this name.
+        """
+        debugger = self._debugger
+        if not name:
+            raise CannotTell(f"`{word}` takes a name: of a variable, a signal, a thing, HERE")
+        asked = answers.who if word == "who" else answers.following
+        return asked(debugger.run, name, debugger.at, frame)
+
+    def go(self, text: str) -> str:
+        """Go to a numbered row of the last answer; return where it stands then.
+
+        Raises:
+            CannotTell: There is no such row.
+        """
+        number = text.strip() or "1"
+        if not number.isdecimal() or len(number) > 6 or not 1 <= int(number) <= len(self._rows):
+            many = len(self._rows)
+            listed = f"1 to {many}" if many > 1 else "only 1" if many else "nothing yet"
+            raise CannotTell(f"`go` takes the number of a row that was shown last: {listed}")
+        instant = self._rows[int(number) - 1]
+        if self._asked_of is not self._debugger.run:
+            raise CannotTell("that row is of another future: ask again")
+        self._debugger.go(instant)
+        return f"at {instant.time_s:.3f} s"
+
+    def why(self, name: str | None = None, frame: Frame | None = None) -> str:
+        """Return why the arm does what it does, or a name is what it is, with numbers to go to.
 
         Only what happened, and by which step: it compares nothing with what would be right.
         """
+        try:
+            effect, links = self.causes(name, frame)
+        except CannotTell as problem:
+            return str(problem)
+        lines = [effect]
+        self._rows, self._asked_of = [], self._debugger.run
+        for text, _, place in links:
+            if place is not None:
+                self._rows.append(place)
+            lines.append(f"{len(self._rows) if place is not None else '-'} {text}")
+        return "\n".join(lines)
+
+    def causes(
+        self, name: str | None = None, frame: Frame | None = None
+    ) -> tuple[str, list[tuple[str, Link, Instant | None]]]:
+        """Return what is asked about, and its causes: in words, as links, where to see them.
+
+        Raises:
+            CannotTell: Nothing has this name, or the task allows no hints.
+        """
         debugger = self._debugger
         if self._hints is Hints.NOTHING:
-            return NO_HINTS
-        at = debugger.at
-        try:
-            if name:
-                chain = why_of(debugger.run, name, at.time_s, at.finished)
-            else:
-                chain = why_at(debugger.run, at.time_s)
-        except Unknown as problem:
-            return str(problem)
-        return "\n".join([chain.effect, *(f"  {each}" for each in chain_lines(chain, Hints.PLACE))])
+            raise CannotTell(NO_HINTS)
+        chain = answers.why(debugger.run, name or None, debugger.at, frame)
+        lines = chain_lines(chain, Hints.PLACE)
+        places = [answers.place_of(debugger.run, link) for link in chain.links]
+        return chain.effect, list(zip(lines, chain.links, places, strict=True))
+
+    def _is_question(self, word: str, name: str | None) -> bool:
+        """Return whether a line asks: a variable of such a name is asked for its value."""
+        if name is None and word in self._debugger.state.variables:
+            return False
+        return word != "next" or name is None or not name.strip().isdecimal()
 
     def allowed(self, found: Diagnostic) -> Diagnostic:
         """Return what may be told of what went wrong: no remedy where the task allows no hints."""

@@ -165,6 +165,11 @@ class Debugger:
         self._trail.clear()
         return self.seek(time_s)
 
+    def go(self, instant: Instant) -> Stop:
+        """Go to an instant as `jump` does to a time: before or after a statement of its tick."""
+        self._trail.clear()
+        return self._stand(Stop(instant, Why.STEP))
+
     # --- going on -----------------------------------------------------------------------------
 
     def go_on(self) -> Stop:

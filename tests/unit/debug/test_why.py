@@ -34,7 +34,7 @@ def test_a_motion_is_named_with_its_step(tmp_path: Path) -> None:
 
 def test_an_unknown_name_is_said_to_be_unknown(tmp_path: Path) -> None:
     there = debugger()
-    assert "neither a thing" in console(there, tmp_path).enter("why nobody")
+    assert "nothing here is called `nobody`" in console(there, tmp_path).enter("why nobody")
 
 
 @pytest.mark.parametrize("line", ["why", "why n"])

@@ -11,6 +11,7 @@ from typing import TypeAlias
 from vrts.base.diagnostic import Diagnostic
 from vrts.debug.conditions.hearing import Hear, Interrupted, nobody
 from vrts.debug.dap.arguments import BadRequest, Fields
+from vrts.debug.dap.asking import ASKING
 from vrts.debug.dap.capabilities import CAPABILITIES
 from vrts.debug.dap.going import GOING
 from vrts.debug.dap.seeing import SEEING
@@ -25,7 +26,7 @@ from vrts.report.screen.text import diagnostic_text
 
 Send: TypeAlias = Callable[[str, Json], None]
 
-_DURING = {**STOPPING, **GOING, **SEEING}
+_DURING = {**STOPPING, **GOING, **SEEING, **ASKING}
 
 
 class Adapter:

@@ -9,6 +9,7 @@ from vrts.debug.dap.session import (
     PROCESS,
     ROBOT,
     Answer,
+    Event,
     Json,
     Session,
     of_process,
@@ -59,9 +60,14 @@ def _evaluate(session: Session, a: Fields) -> Answer:
         shown = variable(text, session.console.value(text, frame))
         reference = session.handles.of(shown.parts)
         return Answer({"result": shown.value, "variablesReference": reference})
-    before = session.debugger.run
+    debugger = session.debugger
+    before, stop = debugger.run, debugger.stop
     said = plain_text(session.console.enter(text, frame)).rstrip("\n")
-    moved = session.moved() if session.debugger.run is not before else []
+    moved: list[Event] = []
+    if debugger.run is not before:
+        moved = session.moved()
+    elif debugger.stop is not stop:
+        moved = session.stopped(debugger.stop)
     return Answer({"result": said, "variablesReference": 0}, moved)
 
 

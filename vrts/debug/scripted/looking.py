@@ -47,9 +47,30 @@ def _state(session: Session, rest: str, done: Done) -> None:
 
 
 def _why(session: Session, rest: str, done: Done) -> None:
-    lines = session.console.why(rest or None).split("\n")
+    lines = session.console.why(rest or None, session.frame()).split("\n")
     done.said += lines
     done.reasons = [line.strip() for line in lines]
+
+
+def _who(session: Session, rest: str, done: Done) -> None:
+    _asked(session, "who", rest, done)
+
+
+def _next(session: Session, rest: str, done: Done) -> None:
+    if rest.isdecimal():  # the monitor's command: some steps
+        session.enter(f"NEXT {rest}", done)
+    else:
+        _asked(session, "next", rest, done)
+
+
+def _asked(session: Session, word: str, rest: str, done: Done) -> None:
+    session.console.changed(word, rest, session.frame())  # what is refused has no answer
+    done.said += session.console.ask(word, rest, session.frame()).split("\n")
+
+
+def _go(session: Session, rest: str, done: Done) -> None:
+    session.console.go(rest)
+    done.moved = True
 
 
 def _events(session: Session, rest: str, done: Done) -> None:
@@ -92,6 +113,9 @@ DEEDS: dict[str, Deed] = {
     "where": _where,
     "state": _state,
     "why": _why,
+    "who": _who,
+    "next": _next,
+    "go": _go,
     "events": _events,
     "help": _help,
 }

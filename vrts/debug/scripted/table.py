@@ -26,6 +26,7 @@ COMMANDS = (
     Entry("reverse", "", "to the last stop before, or to the beginning", GO),
     Entry("to", "LINE", "to the next time the line is executed", GO),
     Entry("at", "TIME|begin|end", "to a time [s]", GO),
+    Entry("go", "[NUMBER]", "to a numbered row of `who`, `next` or `why`; the first", GO),
     Entry("restart", "", "the beginning again, with the files as they are now", GO),
     Entry("program", "[robot|process]", "whose steps are gone: robot program, process control", GO),
     Entry(
@@ -45,6 +46,8 @@ COMMANDS = (
     Entry("where", "", "the programs under way, and where the arm is", LOOK),
     Entry("state", "", "all that can be seen here: variables, arm, things, signals", LOOK),
     Entry("why", "[NAME]", "why the arm does what it does, or a name has its value", LOOK),
+    Entry("who", "NAME", "which step changed a value, a signal, a thing or HERE last", LOOK),
+    Entry("next", "NAME", "when it changes next, and by which step", LOOK),
     Entry(
         "events",
         "[WORD ...]",

@@ -406,3 +406,22 @@ def test_a_program_that_never_ends_is_over_and_can_be_asked(client: Client, tmp_
     client.go("stepBack")
     client.go("stepBack")
     assert int(client.value("n+0").replace(",", "")) > 1_000
+
+
+def test_causes_are_asked_for_and_gone_to(client: Client, program: Path) -> None:
+    client.launch(program, [9], dialect="val2+")
+    client.go("continue")
+    assert "line 5 `n = n+1`: 0 -> 1" in client.value("who n", "repl")
+    client.value("go", "repl")
+    client.event("stopped")
+    assert client.value("n") == "0"
+    (row,) = client.do("vrts/next", name="n")["rows"]
+    assert (row["old"], row["new"], row["line"]) == ("0", "1", 5)
+    client.do("vrts/go", time=row["go"]["time"], statements=row["go"]["statements"])
+    client.event("stopped")
+    assert client.value("n") == "1"
+    (row,) = client.do("vrts/who", name="n")["rows"]
+    assert row["source"]["path"] == str(program)
+    assert client.do("vrts/why", name="n")["rows"][0]["line"] == 5
+    assert not client.ask("vrts/who", name="nobody")["success"]
+    assert not client.ask("vrts/who")["success"]

@@ -41,9 +41,9 @@ def refused(session: Session, line: str) -> str:
     return "\n".join(done.said)
 
 
-def test_every_command_of_the_table_is_there_and_three_words_are_also_of_the_monitor() -> None:
+def test_every_command_of_the_table_is_there_and_four_words_are_also_of_the_monitor() -> None:
     assert {*DEEDS} == {entry.word for entry in COMMANDS}
-    assert {word.lower() for word in MONITOR} & {*BY_WORD} == {"help", "watch", "where"}
+    assert {word.lower() for word in MONITOR} & {*BY_WORD} == {"help", "next", "watch", "where"}
 
 
 def test_going_stops_where_it_is_wished(tmp_path: Path) -> None:
