@@ -113,7 +113,13 @@ def _of_body(steps: Steps, name: str, time_s: float) -> Chain:
 
 def _held(steps: Steps, grip: Grasped) -> Iterator[Link]:
     span = grip.cause.span if grip.cause else None
-    told = [e for e in steps.run.events if isinstance(e, HandCommanded) and e.cause == grip.cause]
+    told = [
+        e
+        for e in steps.run.events
+        if isinstance(e, HandCommanded)
+        and e.cause == grip.cause
+        and e.time_s <= grip.time_s + INSTANT  # the same step may close the hand again later
+    ]
     opening = steps.run.at(min(grip.time_s, steps.run.horizon_s)).hand_opening
     says = f"the hand takes hold of it here, {length(opening)} mm wide"
     yield Link(grip.time_s, span, says)

@@ -4,7 +4,9 @@ from pathlib import Path
 
 import pytest
 
+from tests.places import ROOT
 from tests.support_goals import Move, run_of
+from tests.support_programs import cans, ran
 from tests.unit.debug.test_debugger import debugger
 from vrts.check.rules.hints import Hints
 from vrts.debug.console import NO_HINTS, Console
@@ -12,6 +14,10 @@ from vrts.debug.debugger import Debugger
 from vrts.debug.evaluating import CannotTell
 from vrts.debug.scripted.commander import carry_out
 from vrts.debug.scripted.session import Session
+from vrts.engine.memory.events import Grasped
+from vrts.why.asking import why_of
+
+EXAMPLE = ROOT / "examples" / "01-cans-on-bases" / "solution.v2"
 
 
 @pytest.fixture
@@ -99,3 +105,12 @@ def test_a_thing_is_gripped_carried_and_let_go(tmp_path: Path) -> None:
     found.seek(found.run.horizon_s)
     assert "`OPENI`" in console.enter("who can1")
     assert "can1 -> nothing" in console.enter("who holds")
+
+
+def test_no_cause_of_a_grip_comes_after_it() -> None:
+    text = EXAMPLE.read_text("utf-8")
+    run = ran(text, cans())
+    grip = next(e for e in run.events if isinstance(e, Grasped))
+    chain = why_of(run, grip.body, grip.time_s + 0.5)
+    assert len(chain.links) > 1
+    assert all(link.time_s is None or link.time_s <= grip.time_s + 1e-6 for link in chain.links)
