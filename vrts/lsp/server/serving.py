@@ -22,8 +22,8 @@ from vrts.lsp.server import (
     running,
     syncing,
 )
+from vrts.lsp.server.messages.stream import Broken, Messages, Outgoing
 from vrts.lsp.server.session import Session
-from vrts.lsp.server.stream import Broken, Messages, Outgoing
 
 SWITCH_S = 0.001  # how soon the thread that checks lets an answer through
 AHEAD = 16  # messages that are read before one is carried out

@@ -25,8 +25,8 @@ from vrts.lsp.server.background.reading import Reading
 from vrts.lsp.server.background.verifying import Subject, Verifications
 from vrts.lsp.server.background.watching import watch
 from vrts.lsp.server.diagnostics import converted, converted_finding
+from vrts.lsp.server.messages.protocol import MOST_TOLD, Protocol
 from vrts.lsp.server.places import Places
-from vrts.lsp.server.protocol import MOST_TOLD, Protocol
 from vrts.lsp.server.scenarios import Scenarios
 
 Result = TypeVar("Result")

@@ -9,9 +9,9 @@ from typing import Any, cast
 
 import pytest
 
+from vrts.lsp.server.messages.stream import Broken, Messages
 from vrts.lsp.server.serving import session_with_features
 from vrts.lsp.server.session import Session
-from vrts.lsp.server.stream import Broken, Messages
 
 URI = "untitled:a.v2"
 TEXT = ".PROGRAM main\n        MOVE part\n        SIGNAL 5\n.END\n"

@@ -27,8 +27,8 @@ from pygls.exceptions import (
 )
 from pygls.protocol import LanguageServerProtocol, lsp_method
 
-from vrts.lsp.server.parameters import misfit
-from vrts.lsp.server.stream import Broken
+from vrts.lsp.server.messages.parameters import misfit
+from vrts.lsp.server.messages.stream import Broken
 
 MOST_TOLD = 300  # letters of what is wrong
 _LISTENED = frozenset({types.SET_TRACE, types.CANCEL_REQUEST, types.PROGRESS})
@@ -132,7 +132,7 @@ class Protocol(LanguageServerProtocol):
         params: Any = message.get("params")
         strict: Any = params
         if method == types.INITIALIZE and isinstance(params, dict) and "capabilities" in params:
-            strict = cast("dict[str, Any]", params) | {"capabilities": {}}  # clients differ there
+            strict = {**cast("dict[str, Any]", params), "capabilities": {}}  # clients differ there
         try:
             why = misfit(strict, wanted)
             if not why:
