@@ -11,6 +11,7 @@ from xml.sax.saxutils import escape, quoteattr
 
 from vrts import __version__
 from vrts.schemas import FOLDER
+from vrts.web.assets import asset, closure
 
 GRAMMAR = "val2.tmLanguage.json"
 FILES = {  # how files are called that a schema is of; others say `#:schema` in their first line
@@ -21,11 +22,17 @@ FILES = {  # how files are called that a schema is of; others say `#:schema` in 
     "environment": ("environment.toml", "*-environment.toml"),
     "columns": ("columns.toml", "*-columns.toml"),
 }
+BESIDE = "beside/main.js"  # the module of the panel beside the text
+_BESIDE_TOO = ("beside/page.html", "beside/beside.css", "report/replay.html")
+_SHEETS = ("report/base.css", "report/page.css")
 _MADE = (2000, 1, 1, 0, 0, 0)
 _TYPES = {
     "json": "application/json",
     "js": "application/javascript",
     "md": "text/markdown",
+    "png": "image/png",
+    "html": "text/html",
+    "css": "text/css",
     "txt": "text/plain",
     "toml": "text/plain",
     "vsixmanifest": "text/xml",
@@ -40,6 +47,8 @@ def vsix() -> bytes:
     package["version"] = version()
     package["contributes"]["tomlValidation"] = toml_validation(FOLDER)
     contents["extension/package.json"] = json.dumps(package, indent=2).encode() + b"\n"
+    for path in (*closure(BESIDE), *_BESIDE_TOO, *_SHEETS, "vendor/LICENSE-three"):
+        contents[f"extension/web/{path}"] = asset(path).encode()
     contents[f"extension/syntaxes/{GRAMMAR}"] = editors.joinpath(GRAMMAR).read_bytes()
     contents["extension.vsixmanifest"] = _manifest(package).encode()
     contents["[Content_Types].xml"] = _content_types().encode()

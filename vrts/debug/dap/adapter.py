@@ -16,6 +16,7 @@ from vrts.debug.dap.capabilities import CAPABILITIES
 from vrts.debug.dap.going import GOING
 from vrts.debug.dap.seeing import SEEING
 from vrts.debug.dap.session import Answer, Event, Json, Session
+from vrts.debug.dap.showing import SHOWING
 from vrts.debug.dap.stopping import STOPPING
 from vrts.debug.evaluating import CannotTell
 from vrts.debug.opening import Asked, opened, why_not
@@ -26,7 +27,7 @@ from vrts.report.screen.text import diagnostic_text
 
 Send: TypeAlias = Callable[[str, Json], None]
 
-_DURING = {**STOPPING, **GOING, **SEEING, **ASKING}
+_DURING = {**STOPPING, **GOING, **SEEING, **ASKING, **SHOWING}
 
 
 class Adapter:

@@ -1,15 +1,20 @@
-// VAL-II in VS Code: `vrts lsp` tells what is wrong while you type, `vrts dap` debugs.
+// VAL-II in VS Code: `vrts lsp` tells what is wrong while you type, `vrts dap` debugs; the arm stands
+// beside the text, and the mark in the status bar.
 //
 // Programs are run by the command of the setting `vrts.path`, which a workspace cannot change.
 
 "use strict";
 
 const vscode = require("vscode");
+const { Beside } = require("./beside.js");
+const { Status } = require("./status.js");
 const { LanguageClient } = require("./vendor/languageclient.js");
 
 const LANGUAGE = "val2";
 /** @type {any} */
 let client;
+/** @type {Beside | undefined} */
+let beside;
 
 /** The command to start. */
 function command() {
@@ -78,11 +83,13 @@ const adapters = {
 
 /** VS Code itself says nothing when a debugger cannot be started. */
 const trackers = {
-  createDebugAdapterTracker() {
+  createDebugAdapterTracker(/** @type {any} */ session) {
     let answered = false;
+    const listen = beside && beside.listener(session);
     return {
-      onDidSendMessage() {
+      onDidSendMessage(/** @type {any} */ message) {
         answered = true;
+        if (listen) listen(message);
       },
       onError(/** @type {any} */ problem) {
         if (!answered) warn(problem);
@@ -92,6 +99,19 @@ const trackers = {
   },
 };
 
+/** Show the arm beside a program. */
+async function showArm(/** @type {any} */ argument) {
+  const program = programOf(argument);
+  if (!program || !beside) return;
+  const open = vscode.workspace.textDocuments.find((/** @type {any} */ one) => one.uri.fsPath === program);
+  await beside.show(open ? open.uri : vscode.Uri.file(program));
+}
+
+/** Ask the language server; nothing where it is not there. */
+async function ask(/** @type {string} */ method, /** @type {unknown} */ params) {
+  return client && client.isRunning() ? client.sendRequest(method, params) : undefined;
+}
+
 /** Say that vrts cannot be started. */
 function warn(/** @type {any} */ problem) {
   const why = `${command()} cannot be started (${problem.message || problem})`;
@@ -99,6 +119,8 @@ function warn(/** @type {any} */ problem) {
 }
 
 exports.activate = async function activate(/** @type {any} */ context) {
+  beside = new Beside(context, ask);
+  const status = new Status(context);
   context.subscriptions.push(
     vscode.debug.registerDebugAdapterDescriptorFactory("vrts", adapters),
     vscode.debug.registerDebugAdapterTrackerFactory("vrts", trackers),
@@ -106,14 +128,20 @@ exports.activate = async function activate(/** @type {any} */ context) {
     vscode.commands.registerCommand("vrts.run", (file, entry) => inTerminal("run", file, entry)),
     vscode.commands.registerCommand("vrts.verify", (file) => inTerminal("verify", file, undefined)),
     vscode.commands.registerCommand("vrts.debug", debug),
+    vscode.commands.registerCommand("vrts.showArm", showArm),
     vscode.commands.registerCommand("vrts.tickBack", () => tick(-1)),
     vscode.commands.registerCommand("vrts.tickForward", () => tick(1)),
   );
   const server = { command: command(), args: ["lsp"] };
   const documents = [{ language: LANGUAGE, scheme: "file" }, { language: LANGUAGE, scheme: "untitled" }];
   client = new LanguageClient("vrts", "VAL-II", server, { documentSelector: documents });
+  client.onNotification("vrts/shown", (/** @type {any} */ told) => {
+    status.told(told);
+    if (beside && told.shown && String(beside.uri) === String(vscode.Uri.parse(told.uri))) void beside.refresh();
+  });
   try {
     await client.start();
+    await client.sendNotification("vrts/beside", {});
   } catch (problem) {
     client = undefined;
     warn(problem);

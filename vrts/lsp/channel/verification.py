@@ -8,6 +8,7 @@ from vrts.base.diagnostic import Diagnostic, Label, Rule, Severity
 from vrts.base.source import SourceFile, Span
 from vrts.lsp.answers.formatting import Edit
 from vrts.lsp.channel.findings import Finding, Found, Mending, Related, told
+from vrts.lsp.channel.showing import Shown, shown_of
 from vrts.lsp.channel.timing import Timing
 from vrts.lsp.documents.documents import Document
 
@@ -23,6 +24,7 @@ class Asked(NamedTuple):
     text: str  # of the buffer
     others: tuple[tuple[str, str], ...] = ()  # paths and texts of what belongs together with it
     is_called: bool = False  # by one of them, so it is no program by itself
+    is_shown: bool = False  # beside the text: mark and recording are wanted, too
 
 
 class Lost(NamedTuple):
@@ -41,6 +43,7 @@ class Answer(NamedTuple):
     is_whole: bool = False  # nothing more comes
     lost: tuple[Lost, ...] = ()
     mendable: bool = False  # points are lost, and the task lets the change be told that mends it
+    shown: Shown | None = None  # if that is wanted, and the program has run
 
 
 def header_of(asked: Asked, entry: str | None = None) -> Label:
@@ -77,19 +80,20 @@ def line_of(message: Asked | Answer) -> bytes:
 
 def asked_of(line: bytes) -> Asked:
     """Return what is asked from the line that it was written as."""
-    path, text, others, is_called = json.loads(line)
-    return Asked(path, text, tuple((p, t) for p, t in others), is_called)
+    path, text, others, is_called, is_shown = json.loads(line)
+    return Asked(path, text, tuple((p, t) for p, t in others), is_called, is_shown)
 
 
 def answer_of(line: bytes) -> Answer:
     """Return an answer from the line that it was written as."""
-    times, findings, is_whole, lost, mendable = json.loads(line)
+    times, findings, is_whole, lost, mendable, shown = json.loads(line)
     return Answer(
         tuple(Timing(number, tuple(ends), *more) for number, ends, *more in times),
         tuple(_finding(row) for row in findings),
         is_whole,
         tuple(Lost(*row) for row in lost),
         mendable,
+        None if shown is None else shown_of(shown),
     )
 
 

@@ -24,6 +24,7 @@ from vrts.lsp.runs.bounds import bounded, said_by
 from vrts.lsp.runs.causes import causes_of, lost_of, with_causes
 from vrts.lsp.runs.futures import for_some_inputs
 from vrts.lsp.runs.motion_times import timings
+from vrts.lsp.runs.showing import shown as shown_beside
 from vrts.lsp.runs.speeds import with_speeds
 from vrts.lsp.runs.stdin import end_with_server
 from vrts.marking.supervise.limits import Limits, impose
@@ -88,7 +89,8 @@ def verify(asked: Asked, tell: Callable[[Answer], None] = lambda _: None) -> Ans
     judgement = judge(setting.scene, run, setting.task)
     all_timings = timings(setting, run, path, near=True)
     found = [Found(d) for verdict in judgement.verdicts for d in verdict.findings]
-    tell(Answer(all_timings, shown([*of_run, *found])))
+    beside = shown_beside(setting, compiled, run, judgement) if asked.is_shown else None
+    tell(Answer(all_timings, shown([*of_run, *found]), shown=beside))
     found = with_speeds(SourceFile(path, asked.text), run, judgement, setting.task, again)
     tell(Answer(all_timings, shown([*of_run, *found])))
     known = [one.diagnostic for one in (*of_run, *found)]

@@ -22,6 +22,7 @@ from vrts.lsp.server import (
     running,
     syncing,
 )
+from vrts.lsp.server.beside import showing
 from vrts.lsp.server.messages.stream import Broken, Messages, Outgoing
 from vrts.lsp.server.session import Session
 
@@ -122,6 +123,7 @@ def session_with_features(*, runs: bool = True) -> Session:
     logging.getLogger("pygls").addHandler(logging.NullHandler())  # refusals are no tracebacks
     logging.getLogger("pygls").propagate = False
     session = Session(runs=runs)
-    for features in (editor, syncing, outlining, helping, referring, colours, mending, running):
+    rooms = (editor, syncing, outlining, helping, referring, colours, mending, running, showing)
+    for features in rooms:
         features.register(session)
     return session

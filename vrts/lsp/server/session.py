@@ -53,6 +53,7 @@ class Session(LanguageServer):
         self.scenarios = Scenarios()
         self.verifications = Verifications(_background, self._learned)
         self._worker = ThreadPoolExecutor(1, "check")  # one: answers come first
+        self.told_beside: Callable[[Document], None] | None = None  # who shows more beside the text
 
     @property
     def followed(self) -> Protocol:
@@ -129,6 +130,12 @@ class Session(LanguageServer):
         found = [to_fs_path(uri) for uri in self.workspace.folders]
         root = self.workspace.root_path
         return [folder for folder in (*found, root) if folder]
+
+    def check_again(self) -> None:
+        """Check and verify all buffers anew: something else is wanted of them."""
+        for path in self.documents.open:
+            self.verifications.forget(path)
+            self._check_soon(path)
 
     def _open_folders(self) -> set[str]:
         """Return the folders that hold open buffers."""
@@ -232,6 +239,8 @@ class Session(LanguageServer):
     def _learned(self, document: Document) -> None:
         """Tell the client what a verification has found."""
         self._publish(document)
+        if self.told_beside is not None:
+            self.told_beside(document)
         workspace = self.client_capabilities.workspace
         hints = workspace.inlay_hint if workspace is not None else None
         if hints is not None and hints.refresh_support:

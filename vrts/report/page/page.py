@@ -170,10 +170,15 @@ def replay_scripts(a: Assessment, voices: Sequence[Voice] = ()) -> list[Markup]:
 
 def replay_data(a: Assessment) -> dict[str, object]:
     """Return the data of the replay of an assessment in which something ran."""
+    screen = first_screen(a)
+    return recording(a, screen.moment.time_s if screen.moment else None)
+
+
+def recording(a: Assessment, moment_s: float | None) -> dict[str, object]:
+    """Return the same, with the time [s] at which a reader begins; None: at the beginning."""
     assert a.run is not None
     assert a.scene is not None
     report = a.judgement.collisions if a.judgement else None
-    screen = first_screen(a)
     return {
         "scene": scene_data(a.scene, a.task),
         "run": run_data(a.run, a.source),
@@ -181,7 +186,7 @@ def replay_data(a: Assessment) -> dict[str, object]:
         "grazes": contact_rows(report.grazes, a.source) if report else [],
         "doubtful": contact_rows(report.undetermined, a.source) if report else [],
         "near": near_rows(report.near_misses, a.source) if report else [],
-        "moment": screen.moment.time_s if screen.moment else None,
+        "moment": moment_s,
         "clearance": [[seconds(t), millimetres(distance)] for t, distance in a.clearance],
     }
 

@@ -57,6 +57,7 @@ class Verifications:
         self._known: dict[str, _Known] = {}
         self._going: dict[str, tuple[Subject, asyncio.Task[None]]] = {}
         self._slots = asyncio.Semaphore(AT_ONCE)
+        self.are_shown = False  # beside the text, too
 
     def want(self, subject: Subject) -> None:
         """Verify something soon, unless that is known or under way."""
@@ -109,7 +110,7 @@ class Verifications:
         document, others, _ = subject
         called = any(document.names.defined_programs & o.names.missing_programs for o in others)
         texts = tuple((other.path, other.source.text) for other in others)
-        asked = Asked(document.path, document.source.text, texts, is_called=called)
+        asked = Asked(document.path, document.source.text, texts, called, self.are_shown)
         async with self._slots:
             await self._verify(subject, asked)
         if self._going.get(document.path, (None,))[0] is subject:
@@ -141,6 +142,9 @@ class Verifications:
         self._learn(subject, answer)
 
     def _learn(self, subject: Subject, answer: Answer) -> None:
+        known = self._known.get(subject.document.path)
+        if answer.shown is None and known is not None and known.subject == subject:
+            answer = answer._replace(shown=known.answer.shown)  # it is told once
         self._known[subject.document.path] = _Known(subject, answer)
         self._tell(subject.document)
 

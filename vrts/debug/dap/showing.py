@@ -1,0 +1,87 @@
+"""What shows the arm beside the text asks for: the run as a recording, and where it stands in it.
+
+They are ours, so their names begin with `vrts.`; another client never asks.
+"""
+
+import math
+from collections.abc import Callable, Mapping
+from weakref import WeakKeyDictionary
+
+from vrts.base.source import SourceFile
+from vrts.check.judgement import Judgement
+from vrts.debug.dap.arguments import BadRequest, Fields
+from vrts.debug.dap.session import PROCESS, ROBOT, Answer, Event, Session
+from vrts.engine.run import Run
+from vrts.pipeline.curve import with_curve
+from vrts.report.assessment import Assessment
+from vrts.report.page.page import recording
+
+_futures: WeakKeyDictionary[Session, tuple[int, Run]] = WeakKeyDictionary()
+
+
+def _where(session: Session, a: Fields) -> Answer:
+    """Return where it stands [s], in which line, and which of its futures that is."""
+    debugger = session.debugger
+    source = _source(session, a)
+    stack = session.stack(process=debugger.stop.process)
+    here = next((c.span.line for c in stack if c.span.source is source), 0)
+    body = {
+        "time": debugger.at.time_s,
+        "line": here,
+        "future": _future(session),
+        "thread": PROCESS if debugger.stop.process else ROBOT,
+    }
+    return Answer(body)
+
+
+def _recording(session: Session, a: Fields) -> Answer:
+    """Return the run as it goes with all changes so far, as the page of a report holds it."""
+    run, source = session.debugger.run, _source(session, a)
+    found = Assessment(
+        "debugged",
+        source.name,
+        source,
+        (),
+        module=run.module,
+        scene=run.scene,
+        run=run,
+        judgement=Judgement((), session.debugger.alarms.report),
+    )
+    return Answer({"recording": recording(with_curve(found), None), "future": _future(session)})
+
+
+def _seek(session: Session, a: Fields) -> Answer:
+    """Go to a time [s], as near as the run reaches; the client keeps its keys where they are."""
+    time_s = a.number("time", math.nan)
+    if not math.isfinite(time_s):
+        raise BadRequest("`time` is a number of seconds")
+    going: Event = ("continued", {"threadId": ROBOT, "allThreadsContinued": True})
+    events = session.stopped(session.debugger.jump(max(time_s, 0.0)))
+    quiet = [
+        (name, {**body, "preserveFocusHint": True} if name == "stopped" else body)
+        for name, body in events
+    ]
+    return Answer({"time": session.debugger.at.time_s}, [going, *quiet])
+
+
+def _future(session: Session) -> int:
+    """Return a number that is another one whenever the run is another one."""
+    run = session.debugger.run
+    number, before = _futures.get(session, (0, None))
+    if before is not run:
+        number += 1
+        _futures[session] = number, run
+    return number
+
+
+def _source(session: Session, a: Fields) -> SourceFile:
+    """Return the text that a request is about; the first one, where it names none of them."""
+    wanted = a.optional("path")
+    return next((s for s in session.sources if s.name == wanted), session.sources[0])
+
+
+SHOWING: Mapping[str, Callable[[Session, Fields], Answer]] = {
+    "vrts.where": _where,
+    "vrts.recording": _recording,
+    "vrts.seek": _seek,
+}
