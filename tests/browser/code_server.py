@@ -36,6 +36,15 @@ SETTINGS = {
     "git.enabled": False,
     "window.commandCenter": False,
 }
+LIT = """(name) => {
+  const lit = [...document.querySelectorAll(".view-overlays .cdr")]
+    .find((mark) => mark.className.includes(name) && mark.clientWidth > 200);
+  if (!lit) return 0;
+  const y = lit.getBoundingClientRect().top;
+  const numbers = [...document.querySelectorAll(".margin-view-overlays .line-numbers")];
+  const at = numbers.find((one) => Math.abs(one.getBoundingClientRect().top - y) < 3);
+  return at ? Number(at.textContent) : 0;
+}"""
 installed = pytest.mark.skipif(
     not (NODE.exists() and ENTRY.exists()),
     reason=f"needs code-server in {FOLDER}; .ci/run installs it",
@@ -140,6 +149,14 @@ class Code:
         """Return what our item of the status bar says."""
         found = self.page.locator("[id='vrts.vrts.vrts.mark']")
         return found.first.inner_text() if found.count() else ""
+
+    def lit(self) -> int:
+        """Return the number of the line that is lit, from 1; 0: none is."""
+        return int(self.page.evaluate(LIT, "ced-"))
+
+    def stands(self) -> int:
+        """Return the number of the line at which the debugger stands; 0: none is shown."""
+        return int(self.page.evaluate(LIT, "debug-top-stack-frame-line"))
 
     def arm(self) -> Frame:
         """Return the panel with the arm, when it shows a run."""

@@ -50,6 +50,20 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/debug/history",),
     ),
     Patch(
+        "an editor shows the mark of the text before as that of the present one",
+        "vrts/lsp/server/beside/showing.py",
+        "        if session.documents.open.get(document.path) is not document:",
+        "        if False:",
+        ("tests/unit/lsp/server/test_beside.py",),
+    ),
+    Patch(
+        "the arm beside the text shows the future from before a change in the debugger",
+        "vrts/debug/dap/showing.py",
+        "    if before is not run:",
+        "    if before is None:",
+        ("tests/unit/debug/dap/test_showing.py",),
+    ),
+    Patch(
         "students are told places that they are to find",
         "vrts/scene/handling/withheld.py",
         "if name not in withheld}",

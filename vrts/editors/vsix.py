@@ -47,8 +47,9 @@ def vsix() -> bytes:
     package["version"] = version()
     package["contributes"]["tomlValidation"] = toml_validation(FOLDER)
     contents["extension/package.json"] = json.dumps(package, indent=2).encode() + b"\n"
-    for path in (*closure(BESIDE), *_BESIDE_TOO, *_SHEETS, "vendor/LICENSE-three"):
+    for path in (*closure(BESIDE), *_BESIDE_TOO, *_SHEETS):
         contents[f"extension/web/{path}"] = asset(path).encode()
+    contents["extension/web/vendor/LICENSE-three.txt"] = asset("vendor/LICENSE-three").encode()
     contents[f"extension/syntaxes/{GRAMMAR}"] = editors.joinpath(GRAMMAR).read_bytes()
     contents["extension.vsixmanifest"] = _manifest(package).encode()
     contents["[Content_Types].xml"] = _content_types().encode()
@@ -97,6 +98,8 @@ def _manifest(package: dict[str, Any]) -> str:
     name, publisher = (quoteattr(str(package[key])) for key in ("name", "publisher"))
     code = quoteattr(package["engines"]["vscode"])
     title, about = (escape(str(package[key])) for key in ("displayName", "description"))
+    tags = escape(",".join(package["keywords"]))
+    banner = package["galleryBanner"]
     kind = "Microsoft.VisualStudio"
     return f"""<?xml version="1.0" encoding="utf-8"?>
 <PackageManifest Version="2.0.0" xmlns="http://schemas.microsoft.com/developer/vsx-schema/2011">
@@ -104,17 +107,24 @@ def _manifest(package: dict[str, Any]) -> str:
     <Identity Language="en-US" Id={name} Version="{version()}" Publisher={publisher}/>
     <DisplayName>{title}</DisplayName>
     <Description xml:space="preserve">{about}</Description>
+    <Tags>{tags}</Tags>
     <Categories>Programming Languages,Debuggers,Snippets</Categories>
     <Properties>
       <Property Id="{kind}.Code.Engine" Value={code}/>
       <Property Id="{kind}.Code.ExtensionKind" Value="workspace"/>
+      <Property Id="{kind}.Services.Branding.Color" Value={quoteattr(banner["color"])}/>
+      <Property Id="{kind}.Services.Branding.Theme" Value={quoteattr(banner["theme"])}/>
     </Properties>
+    <License>extension/LICENSE.txt</License>
+    <Icon>extension/icon.png</Icon>
   </Metadata>
   <Installation><InstallationTarget Id="{kind}.Code"/></Installation>
   <Dependencies/>
   <Assets>
     <Asset Type="{kind}.Code.Manifest" Path="extension/package.json" Addressable="true"/>
     <Asset Type="{kind}.Services.Content.Details" Path="extension/README.md" Addressable="true"/>
+    <Asset Type="{kind}.Services.Content.License" Path="extension/LICENSE.txt" Addressable="true"/>
+    <Asset Type="{kind}.Services.Icons.Default" Path="extension/icon.png" Addressable="true"/>
   </Assets>
 </PackageManifest>
 """

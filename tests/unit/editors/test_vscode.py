@@ -2,6 +2,7 @@
 
 import hashlib
 import json
+import posixpath
 import re
 import shutil
 import subprocess
@@ -9,7 +10,7 @@ import tomllib
 import zipfile
 from importlib.resources import files
 from io import BytesIO
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from urllib.parse import urlsplit
 from urllib.request import url2pathname
 from xml.etree import ElementTree
@@ -29,7 +30,7 @@ PACKAGE = json.loads(ARCHIVE.read("extension/package.json"))
 
 def test_it_is_the_same_every_time_and_small() -> None:
     assert vsix() == vsix()
-    assert len(vsix()) < 300_000
+    assert len(vsix()) < 400_000
     assert ARCHIVE.testzip() is None
 
 
@@ -41,6 +42,7 @@ def test_everything_it_names_is_there() -> None:
         contributed["languages"][0]["configuration"],
         contributed["grammars"][0]["path"],
         contributed["snippets"][0]["path"],
+        PACKAGE["icon"],
     ]
     for path in named:
         assert f"extension/{path.removeprefix('./')}" in names
@@ -99,7 +101,7 @@ def test_what_is_vendored_is_unmodified() -> None:
 @pytest.mark.skipif(shutil.which("node") is None, reason="needs Node")
 def test_the_script_is_sound(tmp_path: Path) -> None:
     ARCHIVE.extractall(tmp_path)
-    for name in ("extension.js", "vendor/languageclient.js"):
+    for name in ("extension.js", "beside.js", "status.js", "vendor/languageclient.js"):
         path = tmp_path / "extension" / name
         checked = subprocess.run(
             ["node", "--check", str(path)], capture_output=True, text=True, check=False
@@ -109,6 +111,26 @@ def test_the_script_is_sound(tmp_path: Path) -> None:
     commands = {entry["command"] for entry in PACKAGE["contributes"]["commands"]}
     assert set(re.findall(r'registerCommand\("([\w.]+)"', script)) == commands
     assert "exec(" not in script, "no shell reads a name"
+
+
+def test_the_panel_has_all_that_it_loads_and_may_load_nothing_else() -> None:
+    page = ARCHIVE.read("extension/web/beside/page.html").decode()
+    names = set(ARCHIVE.namelist())
+    loaded = re.findall(r"\{root\}/([\w./]+)", page)
+    assert "beside/main.js" in loaded
+    assert {f"extension/web/{path}" for path in loaded} <= names
+    policy = re.search(r'Content-Security-Policy" content="([^"]+)"', page)
+    assert policy is not None
+    assert policy[1].startswith("default-src 'none'; script-src 'nonce-{nonce}' {source};")
+    assert "unsafe" not in page
+    inner = [name for name in names if name.startswith("extension/web/") and name.endswith(".js")]
+    for name in inner:
+        script = ARCHIVE.read(name).decode()
+        folder = PurePosixPath(name).parent
+        for path in re.findall(r'from\s*"(\.[^"]+)"', script):
+            assert posixpath.normpath(str(folder / path)) in names
+        if "/vendor/" not in name:
+            assert "innerHTML" not in script, "texts are escaped"
 
 
 def test_a_workspace_cannot_say_what_is_started() -> None:

@@ -51,17 +51,13 @@ def _recording(session: Session, a: Fields) -> Answer:
 
 
 def _seek(session: Session, a: Fields) -> Answer:
-    """Go to a time [s], as near as the run reaches; the client keeps its keys where they are."""
+    """Go to a time [s], as near as the run reaches; the client has to be told that it goes."""
     time_s = a.number("time", math.nan)
     if not math.isfinite(time_s):
         raise BadRequest("`time` is a number of seconds")
     going: Event = ("continued", {"threadId": ROBOT, "allThreadsContinued": True})
     events = session.stopped(session.debugger.jump(max(time_s, 0.0)))
-    quiet = [
-        (name, {**body, "preserveFocusHint": True} if name == "stopped" else body)
-        for name, body in events
-    ]
-    return Answer({"time": session.debugger.at.time_s}, [going, *quiet])
+    return Answer({"time": session.debugger.at.time_s}, [going, *events])
 
 
 def _future(session: Session) -> int:

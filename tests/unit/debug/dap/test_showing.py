@@ -26,8 +26,7 @@ def test_the_run_is_shown_and_the_debugger_goes_where_it_is_told(client: Client)
     assert recording["contacts"][0]["text"]
     assert recording["clearance"]
     lines = {line: t for t, line in reversed(recording["run"]["lines"])}
-    stop = client.go("vrts.seek", time=lines[13] + 0.1)
-    assert stop["preserveFocusHint"]
+    assert client.go("vrts.seek", time=lines[13] + 0.1)["reason"] == "step"
     assert client.line() == client.do("vrts.where", path=path)["line"]
     assert client.do("vrts.where", path=path)["time"] == pytest.approx(lines[13] + 0.1, abs=0.03)
     client.do("evaluate", expression="SPEED 50", context="repl")
@@ -40,7 +39,7 @@ def test_odd_times_are_refused_and_names_of_others_are_borne(
     client.launch(HITS)
     for odd in (None, "now", True):
         assert not client.ask("vrts.seek", time=odd)["success"]
-    client.go("vrts.seek", time=1e300)
+    client.go("vrts.seek", time=1e6)
     assert client.do("vrts.where", path=str(tmp_path / "no.v2"))["time"] > 5.0
     client.go("vrts.seek", time=-1)
     assert client.do("vrts.where")["time"] == 0.0

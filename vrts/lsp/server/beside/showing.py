@@ -16,6 +16,8 @@ def register(session: Session) -> None:
     """Tell what is shown beside the text."""
 
     def told(document: Document) -> None:
+        if session.documents.open.get(document.path) is not document:
+            return  # there is another text by now: this is not its mark
         session.protocol.notify("vrts/shown", _in_short(session, document))
 
     @session.feature("vrts/beside")

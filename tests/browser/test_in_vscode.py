@@ -1,0 +1,82 @@
+"""Our extension in a real VS Code: code-server, and Chromium before it. All of it in one session.
+
+To start one costs more than everything that is done in it.
+"""
+
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, Frame
+
+from tests.browser.code_server import Code, copied, installed, serving
+from tests.places import ROOT
+
+pytestmark = [pytest.mark.browser, pytest.mark.thorough, installed]
+
+EXAMPLE = ROOT / "examples" / "01-cans-on-bases"
+MOVES_GOAL = 20  # line of `MOVES goal`
+
+
+@pytest.fixture
+def code(browser: Browser) -> Iterator[Code]:
+    with tempfile.TemporaryDirectory() as name:  # short: paths of sockets are bounded
+        folder = Path(name)
+        workspace = copied(EXAMPLE, folder / "cans")
+        with serving(folder, workspace) as address:
+            opened = Code(browser, address)
+            yield opened
+            opened.page.close()
+
+
+def time_of(arm: Frame) -> float:
+    return float(arm.evaluate("window.vrts.stage.player.t"))
+
+
+def lines_of(arm: Frame) -> dict[int, float]:
+    """Return when each line is at work first [s]."""
+    rows: list[list[float]] = arm.evaluate("window.vrts.stage.replay.run.lines")
+    return {int(line): t for t, line in reversed(rows)}
+
+
+def note(arm: Frame) -> str:
+    return arm.inner_text("#note")
+
+
+def test_the_arm_stands_where_text_and_debugger_stand(code: Code) -> None:
+    code.open("solution.v2")
+    code.until(lambda: "10.0 / 10 · ready" in code.status(), "the mark in the status bar")
+    code.command("Show the Arm")
+    arm = code.arm()
+    first = lines_of(arm)
+
+    code.line("MOVES goal")  # a click on a line: the arm stands where it begins
+    code.until(lambda: abs(time_of(arm) - first[MOVES_GOAL]) < 1e-6, "the arm at the line")
+    assert note(arm).startswith(f"line {MOVES_GOAL}, at ")
+    arm.evaluate(f"window.vrts.stage.jump({first[5] + 0.3})")  # the time bar: the line is lit
+    code.until(lambda: code.lit() == 5, "the line of that time")
+
+    code.line("SPEED 100")
+    code.page.keyboard.press("F5")
+    code.until(lambda: note(arm) == "The debugger stands at 0.000 s, line 3.", "debugging")
+    assert time_of(arm) == 0.0
+    arm.evaluate("window.vrts.stage.jump(4.5)")
+    code.until(lambda: note(arm) == "The debugger stands at 4.500 s.", "the debugger went there")
+    code.until(lambda: code.stands() == MOVES_GOAL + 1, "the line of the step that comes next")
+    code.page.keyboard.press("F10")
+    code.until(lambda: time_of(arm) > 4.5, "a step from there")
+    later = time_of(arm)
+    code.page.click(".debug-toolbar .codicon-debug-step-back")
+    code.until(lambda: time_of(arm) < later, "a step back")
+    code.page.keyboard.press("Shift+F5")
+    code.until(lambda: note(arm).startswith("Click a line"), "the end of debugging")
+
+    code.line("SPEED 100")  # what is typed is verified
+    code.page.keyboard.press("Home")
+    code.page.keyboard.type("X")
+    code.until(lambda: "does not compile" in code.status(), "a mistake")
+    code.until(lambda: code.page.locator(".squiggly-error").count() > 0, "a wavy line")
+    code.until(lambda: "has errors" in note(arm), "the panel says so")
+    code.page.keyboard.press("Backspace")
+    code.until(lambda: "10.0 / 10 · ready" in code.status(), "the mark again")
