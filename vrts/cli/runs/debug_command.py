@@ -15,6 +15,7 @@ from vrts.cli.shared.options import (
     dialect_option,
     entry_option,
     file_option,
+    form_option,
     lab_option,
     overwrite_option,
     placed,
@@ -42,7 +43,7 @@ Examples:
 n and N go a step forward and back, c and C to the next stop and the one before, v and V show the
 moment in the browser and in the Rerun viewer, : takes a command; ? shows all keys. With --command
 or --commands no terminal is needed, and the exit status is 1 when a command was refused or an
-`assert` did not hold; `--command help` lists the commands.
+`assert` did not hold. `--command help` lists the commands, --json writes one line for each.
 """
 STDIN = "-"
 
@@ -69,7 +70,7 @@ STDIN = "-"
     help="Carry commands out, parted by `;`, and end; repeatable.",
 )
 @file_option("--commands", "file", help="Carry out a file of commands, and end; `-` is stdin.")
-@click.option("--json", "as_json", is_flag=True, help="One line of JSON for each command.")
+@form_option("full", "json")
 @click.option(
     "--limit",
     "limit_s",
@@ -93,7 +94,7 @@ def command(
     points: tuple[str, ...],
     texts: tuple[str, ...],
     file: Path | None,
-    as_json: bool,
+    form: str,
     limit_s: float,
     record: Path | None,
     overwrite: bool,
@@ -106,8 +107,9 @@ def command(
     from vrts.debug.opening import Asked
 
     lines = _lines(texts, file)
+    as_json = form == "json"
     if lines is None and as_json:
-        fail("--json goes with commands", ("`--command TEXT` or `--commands FILE`",))
+        fail("`--format json` goes with commands", ("`--command TEXT` or `--commands FILE`",))
     if lines is None and not (sys.stdin.isatty() and sys.stdout.isatty()):
         hints = ("`--command TEXT` and `--commands FILE` need none", "editors use `vrts dap`")
         fail("debugging needs a terminal", hints)

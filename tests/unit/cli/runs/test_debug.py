@@ -42,7 +42,7 @@ def test_a_saved_run_is_debugged_as_a_program_is(tmp_path: Path) -> None:
 def test_wrong_calls_say_what_would_do(tmp_path: Path) -> None:
     for words, said in (
         ((), b"debugging needs a terminal"),
-        (("--json",), b"--json goes with commands"),
+        (("--json",), b"`--format json` goes with commands"),
         (("--command", "x" * 1001), b"at most 1,000 characters"),
         (("--break", "12:nosuch > 1", "--command", "continue"), b"there is no `nosuch` here"),
         (("--command", "step", "--record", "x"), b"--record goes with a terminal"),
