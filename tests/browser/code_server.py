@@ -1,6 +1,6 @@
 """A real VS Code for tests: code-server with our extension, and a Chromium that looks at it.
 
-`.ci/run` installs it into the environment that Git ignores; nothing is fetched here.
+`.ci/code-server` installs it into the environment that Git ignores; nothing is fetched here.
 """
 
 import json
@@ -47,7 +47,7 @@ LIT = """(name) => {
 }"""
 installed = pytest.mark.skipif(
     not (NODE.exists() and ENTRY.exists()),
-    reason=f"needs code-server in {FOLDER}; .ci/run installs it",
+    reason=f"needs code-server in {FOLDER}; `.ci/code-server` installs it",
 )
 
 
