@@ -1,5 +1,6 @@
 """What an editor is told that shows more beside the text, over real pipes."""
 
+import asyncio
 import json
 import shutil
 from pathlib import Path
@@ -8,6 +9,7 @@ from typing import Any
 
 from tests.places import ROOT
 from tests.support_lsp import PATIENCE, Client
+from tests.unit.lsp.server.messages.test_bad_words import TOLD, begun
 
 CANS = ROOT / "examples" / "01-cans-on-bases"
 
@@ -45,3 +47,22 @@ def test_mark_and_recording_follow_the_text_once_somebody_asks(tmp_path: Path) -
         assert found.reasons
         assert client.ask("vrts/recording", uri=5)["error"]["message"].endswith("of a buffer")
         assert "error" in client.ask("vrts/recording", uri="file:///nowhere.v2")
+
+
+def test_what_was_found_in_a_text_before_is_not_told_of_the_present_one() -> None:
+    async def told() -> list[str]:
+        heard = await begun()
+        heard.tell("vrts/beside", {})
+        session, uri = heard.session, TOLD["textDocument/didOpen"]["textDocument"]["uri"]
+        before = session.document(uri)
+        assert session.told_beside is not None
+        session.told_beside(before)
+        changes = [{"text": ".PROGRAM other\n.END\n"}]
+        about = {"uri": uri, "version": 2}
+        heard.tell("textDocument/didChange", {"textDocument": about, "contentChanges": changes})
+        session.told_beside(before)
+        found = [said["params"]["uri"] for said in heard.said if said.get("method") == "vrts/shown"]
+        session.leave()
+        return found
+
+    assert len(asyncio.run(told())) == 1
