@@ -1,5 +1,10 @@
-"""A program at a terminal of its own: a pty, what it writes, and keys typed."""
+"""A program at a terminal of its own: a pty, what it writes, and keys typed.
 
+What fills the screen writes only what changes: of a new line that shares letters with the old one
+the rest. So what it wrote is looked at in two ways, as text and as what a terminal shows then.
+"""
+
+import copy
 import fcntl
 import os
 import re
@@ -12,8 +17,11 @@ import time
 from collections.abc import Sequence
 from pathlib import Path
 
-PATIENCE = 30.0  # [s] with a busy machine
-_SIZE = struct.pack("HHHH", 40, 110, 0, 0)  # rows, columns
+import pyte
+
+PATIENCE = 60.0  # [s] with a busy machine
+_ROWS, _COLUMNS = 40, 110
+_SIZE = struct.pack("HHHH", _ROWS, _COLUMNS, 0, 0)
 
 
 class Child:
@@ -39,18 +47,25 @@ class Child:
         )
         os.close(slave)
         self._unread = ""
+        self._screen = pyte.Screen(_COLUMNS, _ROWS)  # of what is looked at
 
     def send(self, keys: str) -> None:
         """Type keys."""
         os.write(self._master, keys.encode())
 
     def expect(self, pattern: str) -> None:
-        """Wait until what is written and not yet looked at holds a pattern; go on behind it."""
+        """Wait until what is written and not yet looked at shows a pattern; go on behind it."""
         until = time.monotonic() + PATIENCE
         while True:
             match = re.search(pattern, self._unread)
             if match is not None:
+                self._screen = self._drawn(self._unread[: match.end()])
                 self._unread = self._unread[match.end() :]
+                return
+            screen = self._drawn(self._unread)
+            lines = screen.display
+            if any(re.search(pattern, lines[row]) for row in screen.dirty if row < _ROWS):
+                self._screen, self._unread = screen, ""
                 return
             assert time.monotonic() < until, f"no {pattern!r} in {self._unread!r}"
             assert self._read(), f"no {pattern!r} before the end: {self._unread!r}"
@@ -109,6 +124,13 @@ class Child:
             self._process.kill()
             self._process.wait()
         os.close(self._master)
+
+    def _drawn(self, text: str) -> pyte.Screen:
+        """Return the screen after more text; `dirty` are the rows that it changed."""
+        screen = copy.deepcopy(self._screen)
+        screen.dirty.clear()
+        pyte.Stream(screen).feed(text)
+        return screen
 
     def _sleeps(self) -> bool:
         state = Path(f"/proc/{self._process.pid}/stat").read_text().rpartition(")")[2]

@@ -2,8 +2,7 @@
 
 import signal
 import sys
-from collections.abc import Generator
-from contextlib import contextmanager
+from collections.abc import Callable
 
 try:
     import termios
@@ -11,23 +10,40 @@ except ModuleNotFoundError:  # on Windows
     termios = None
 
 
-@contextmanager
-def interruptible() -> Generator[None]:
-    """Let Ctrl-C raise KeyboardInterrupt inside, though the terminal hands over single keys.
+def interruptible(deed: Callable[[], object]) -> object:
+    """Do a deed; let Ctrl-C end it, though the terminal hands over single keys.
 
-    Only in the main thread, at a terminal; where the system has no termios, nothing is done.
+    Only in the main thread, at a terminal; where the system has no termios, it is just done.
+
+    Raises:
+        KeyboardInterrupt: Ctrl-C came, during the deed or just before it; never later.
+
     """
     if termios is None or not sys.stdin.isatty():
-        yield
-        return
+        return deed()
     number = sys.stdin.fileno()
     keys = termios.tcgetattr(number)
     signals = termios.tcgetattr(number)
     signals[3] |= termios.ISIG
-    before = signal.signal(signal.SIGINT, signal.default_int_handler)
-    termios.tcsetattr(number, termios.TCSANOW, signals)
+    came = under_way = False
+
+    def heard(*_: object) -> None:
+        nonlocal came, under_way
+        came = True
+        if under_way:  # elsewhere it would leave the terminal as it must not be
+            under_way = False
+            raise KeyboardInterrupt
+
+    before = signal.signal(signal.SIGINT, heard)
     try:
-        yield
+        termios.tcsetattr(number, termios.TCSANOW, signals)
+        try:
+            under_way = True
+            if came:
+                raise KeyboardInterrupt
+            return deed()
+        finally:
+            under_way = False
     finally:
         termios.tcsetattr(number, termios.TCSANOW, keys)
         signal.signal(signal.SIGINT, before)

@@ -121,13 +121,12 @@ class _Control(FormattedTextControl):
 
 def _survived(keyboard: Keyboard, deed: Callable[[], object]) -> object:
     """Do what a key asks for: neither Ctrl-C meanwhile nor a fault of ours ends the session."""
-    with interruptible():
-        try:
-            return deed()
-        except KeyboardInterrupt:
-            return keyboard.interrupted()
-        except Exception as problem:
-            return keyboard.failed(problem)
+    try:
+        return interruptible(deed)
+    except KeyboardInterrupt:
+        return keyboard.interrupted()
+    except Exception as problem:
+        return keyboard.failed(problem)
 
 
 def _bindings(keyboard: Keyboard) -> KeyBindings:

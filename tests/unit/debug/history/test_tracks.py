@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterator
 from itertools import pairwise
+from typing import cast
 
 import pytest
 
@@ -49,9 +50,10 @@ def subjects(run: Run) -> Iterator[tuple[str, Callable[[State], object]]]:
 def alike(one: object, other: object) -> bool:
     if isinstance(one, float) and isinstance(other, float):
         return abs(one - other) <= CLOSE
-    if isinstance(one, tuple) and isinstance(other, tuple) and len(one) == len(other):
-        return all(alike(a, b) for a, b in zip(one, other, strict=True))
-    return one == other
+    if not (isinstance(one, tuple) and isinstance(other, tuple)):
+        return one == other
+    ours, theirs = cast("tuple[object, ...]", one), cast("tuple[object, ...]", other)
+    return len(ours) == len(theirs) and all(map(alike, ours, theirs))
 
 
 def there_and_back(track: Track) -> None:

@@ -5,6 +5,7 @@ import copy
 import io
 import json
 import random
+from collections.abc import Iterable
 from typing import Any, cast
 
 import pytest
@@ -122,10 +123,11 @@ async def begun() -> Heard:
 def places(value: Any, at: tuple[Any, ...] = ()) -> list[tuple[Any, ...]]:
     """Return where the values of JSON stand, the whole included."""
     found = [at]
-    keys: Any = value if isinstance(value, dict) else ()
-    if isinstance(value, list):
-        several = cast("list[Any]", value)
-        keys = range(len(several))
+    keys: Iterable[Any] = ()
+    if isinstance(value, dict):
+        keys = cast("dict[str, Any]", value)
+    elif isinstance(value, list):
+        keys = range(len(cast("list[Any]", value)))
     for key in keys:
         found += places(value[key], (*at, key))
     return found
