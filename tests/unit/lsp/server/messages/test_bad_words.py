@@ -123,13 +123,13 @@ async def begun() -> Heard:
 def places(value: Any, at: tuple[Any, ...] = ()) -> list[tuple[Any, ...]]:
     """Return where the values of JSON stand, the whole included."""
     found = [at]
-    keys: Iterable[Any] = ()
+    inside: Iterable[tuple[Any, Any]] = ()
     if isinstance(value, dict):
-        keys = cast("dict[str, Any]", value)
+        inside = cast("dict[str, Any]", value).items()
     elif isinstance(value, list):
-        keys = range(len(cast("list[Any]", value)))
-    for key in keys:
-        found += places(value[key], (*at, key))
+        inside = enumerate(cast("list[Any]", value))
+    for key, held in inside:
+        found += places(held, (*at, key))
     return found
 
 
