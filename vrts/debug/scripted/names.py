@@ -7,6 +7,7 @@ from difflib import get_close_matches
 from vrts.base.diagnostic import Severity
 from vrts.base.source import SourceFile
 from vrts.debug.debugger import Debugger
+from vrts.engine.memory.cells import Array
 from vrts.ir.values import Value
 from vrts.lang.names import key
 from vrts.monitor.desk import ALONE, ANSWER
@@ -21,12 +22,14 @@ _MOST_NEAR = 3
 def names_of(debugger: Debugger) -> dict[str, Value]:
     """Return every variable with a value of its kind: its last one, else one that stands for it."""
     run = debugger.run
-    found: dict[str, Value] = {}
+    names = [f"{b.name}[0]" if isinstance(b, Array) else b.name for b in run.history.memory.bound]
     for program in run.history.code.programs:
-        found |= {slot.name: _stand_in(slot.name) for slot in (*program.formals, *program.autos)}
-    found |= {bound.name: _stand_in(bound.name) for bound in run.history.memory.bound}
-    found |= run.at(run.horizon_s).variables
-    return found | dict(debugger.state.locals)
+        names += [
+            f"{slot.name}[0]" if slot.number in program.array_formals else slot.name
+            for slot in (*program.formals, *program.autos)
+        ]
+    found = {name: _stand_in(name) for name in names}
+    return found | run.at(run.horizon_s).variables | dict(debugger.state.locals)
 
 
 def unwatchable(debugger: Debugger, name: str) -> str:
@@ -60,15 +63,19 @@ def wrong_condition(debugger: Debugger, text: str) -> str:
     step = f"{ANSWER} = {text}"
     source = SourceFile("condition", f".PROGRAM {ALONE}\n{step}\n.END\n")
     found = in_view(source, (step,), {}, names_of(debugger), debugger.dialect)
-    problem = next((d for d in found.diagnostics if d.severity is not Severity.NOTE), None)
-    if problem is None:
-        return "" if found.module is not None else "this is no condition"
-    if problem.rule.slug == "assigned-location" or ANSWER in problem.headline:
-        return "a condition is a number: 0 does not stop"
-    named = _QUOTED.search(problem.headline)
-    if problem.rule.slug == "undefined-variable" and named is not None:
-        return _unknown(named[1], bases(debugger))
-    return f"the condition cannot be read: {problem.headline}"
+    known = bases(debugger)
+    for problem in found.diagnostics:
+        named = _QUOTED.search(problem.headline)
+        if problem.severity is Severity.NOTE:
+            continue
+        if problem.rule.slug == "undefined-variable" and named is not None:
+            if "[" in named[1] and named[1].partition("[")[0] in known:
+                continue  # an element may get its value later
+            return _unknown(named[1], known)
+        if problem.rule.slug == "assigned-location" or ANSWER in problem.headline:
+            return "a condition is a number: 0 does not stop"
+        return f"the condition cannot be read: {problem.headline}"
+    return "" if found.module is not None else "this is no condition"
 
 
 def _stand_in(name: str) -> Value:

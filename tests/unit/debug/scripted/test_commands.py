@@ -111,6 +111,34 @@ def test_a_name_of_a_command_is_a_variable_where_it_is_given_a_value(tmp_path: P
     assert s.debugger.at.time_s == 0.0
 
 
+ARRAYS = """\
+.PROGRAM main
+        FOR i = 1 TO 3
+          a[i] = i*i
+          CALL sub(a[i])
+        END
+.END
+.PROGRAM sub(k)
+        AUTO REAL c[3]
+        c[2] = k
+        c[3] = c[2]+1
+.END
+"""
+
+
+def test_elements_of_arrays_stand_in_conditions_before_they_have_values(tmp_path: Path) -> None:
+    s = session(tmp_path, debugger(ARRAYS))
+    assert said(s, "break 4:DEFINED(a[2])")
+    assert carry_out(s, "continue").place is not None
+    assert said(s, "print i") == "2"
+    assert said(s, "unbreak all") == ""
+    assert said(s, "break 10:c[2] > 1")
+    carry_out(s, "continue")
+    assert said(s, "print c[2]") == "4"
+    assert "both with and without an index" in refused(s, "break 4:a > 1")
+    assert "no `q` here" in refused(s, "break 4:q[1] > 1")
+
+
 def test_breakpoints_are_read_as_they_are_written() -> None:
     for parts in (
         ("", "", ""),
