@@ -28,7 +28,7 @@ def names_of(debugger: Debugger) -> dict[str, Value]:
             f"{slot.name}[0]" if slot.number in program.array_formals else slot.name
             for slot in (*program.formals, *program.autos)
         ]
-    found = {name: _stand_in(name) for name in names}
+    found: dict[str, Value] = {name: _stand_in(name) for name in names}
     return found | run.at(run.horizon_s).variables | dict(debugger.state.locals)
 
 
