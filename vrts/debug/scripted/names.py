@@ -29,7 +29,7 @@ def names_of(debugger: Debugger) -> dict[str, Value]:
             for slot in (*program.formals, *program.autos)
         ]
     found: dict[str, Value] = {name: _stand_in(name) for name in names}
-    return found | run.at(run.horizon_s).variables | dict(debugger.state.locals)
+    return found | dict(run.at(run.horizon_s).variables) | dict(debugger.state.locals)
 
 
 def unwatchable(debugger: Debugger, name: str) -> str:
