@@ -50,7 +50,8 @@ def _at(steps: Steps, time_s: float) -> Iterator[Link]:
         return
     step = _waiting(steps, time_s)
     if step is not None:
-        yield Link(steps.time_of(step), step.cause.span, "the program is at this step then")
+        reached_s = min(time_s, steps.time_of(step))  # it may be finished only later
+        yield Link(reached_s, step.cause.span, "the program is at this step then")
         yield from of_step(steps, step)
         call = called(steps, step)
         if call is not None:
