@@ -13,16 +13,21 @@ import pytest
 
 from tests.bench.test_bench_compile import STEPS, realistic
 from tests.support_lsp import Client
+from vrts.lsp.answers.checking import check
 from vrts.lsp.answers.colouring import coloured
 from vrts.lsp.answers.completing import complete
 from vrts.lsp.answers.finding import references
+from vrts.lsp.answers.fixing import remedies
 from vrts.lsp.answers.folding import folds
 from vrts.lsp.answers.hovering import hover
+from vrts.lsp.answers.lenses import lenses
+from vrts.lsp.answers.near import near
 from vrts.lsp.answers.signatures import signature
 from vrts.lsp.answers.symbols import symbols
 from vrts.lsp.documents.documents import Document
 from vrts.lsp.documents.linking import group
 from vrts.lsp.server.colours import changed, encoded
+from vrts.lsp.server.outlining import converted as as_symbol
 from vrts.lsp.server.places import Places
 from vrts.lsp.server.serving import RARELY
 
@@ -31,6 +36,7 @@ LIMIT_S = 0.050
 KEYS = 15
 LINKED, LINK_LIMIT_S = 200, 0.010
 LARGE = 10_000  # lines of one program
+WHOLE_MS = {LINES: 113.0, LARGE: 678.0}  # of a whole check on the machine that the limits are for
 FOLDER, LONG, FIRST_LIMIT_S = 300, 1_000, 1.5  # files, lines of each
 
 
@@ -90,6 +96,59 @@ def test_a_large_program() -> None:
         times.append(time.process_time() - began)
     median = 1000 * statistics.median(times)
     print(f"\nnames of one program of {LARGE:,} lines after a key: {median:.0f} ms")
+
+
+@pytest.mark.parametrize(("lines", "limit_s"), [(LINES, 0.050), (LARGE, 0.150)])
+@pytest.mark.parametrize("kind", ["many programs", "one program"])
+def test_code_actions_after_a_key(kind: str, lines: int, limit_s: float) -> None:
+    """What mends a line of a long text, told from what was found before; and by a whole check."""
+    steps = STEPS * (lines // STEPS.count("\n"))
+    one = f".PROGRAM main\n        n = 0\n{steps}.END\n"
+    text = one if kind == "one program" else realistic(lines)
+    before, _ = typed(text, 0)
+    found = check(before)
+    times: dict[str, list[float]] = {"near": [], "whole": []}
+    for key in range(1, KEYS if lines == LINES else 6):
+        for name, taken in times.items():
+            document, offset = typed(text, key)
+            at = document.source.line_of(offset)
+            began = time.process_time()
+            told = (
+                check(document)
+                if name == "whole"
+                else near(document, range(at - 1, at), before, found, lambda d=document: [d])
+            )
+            assert told is not None
+            here = [d for d in told if d.primary and d.primary.span.line == at]
+            _ = [remedy for d in here for remedy in remedies(document, d)]
+            taken.append(time.process_time() - began)
+    took, whole = (1000 * statistics.median(taken) for taken in times.values())
+    print(
+        f"\ncode actions, {text.count(chr(10)):,} lines, {kind}: {took:.0f} ms after a key"
+        f" (with its names), {whole:.0f} ms by a whole check"
+    )
+    assert took <= 1000 * limit_s * max(1.0, whole / WHOLE_MS[lines])
+
+
+def test_the_outline_of_many_small_programs() -> None:
+    took: dict[int, float] = {}
+    for count in (1_000, 2_000, 4_000, 8_000):
+        text = "".join(f".PROGRAM p{n}\n10      CALL p{n + 1}\n.END\n" for n in range(count))
+        document = Document("/bench/many.v2", text)
+        document.read()
+        places = Places(document.source, "utf-16")
+        times: list[float] = []
+        for _ in range(5):
+            fresh = Document("/bench/many.v2", text)
+            fresh.read()
+            began = time.process_time()
+            assert len([as_symbol(symbol, places) for symbol in symbols(fresh)]) == count
+            assert len(lenses(fresh)) >= 2 * count
+            times.append(time.process_time() - began)
+        took[count] = statistics.median(times)
+    told = ", ".join(f"{n:,}: {1000 * s:.0f} ms" for n, s in took.items())
+    print(f"\nsymbols and lenses of small programs: {told}")
+    assert took[8_000] <= 2 * 8 * took[1_000]
 
 
 def test_linking() -> None:

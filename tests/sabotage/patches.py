@@ -2376,10 +2376,24 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "lsp: findings of an earlier text stay in lines that changed",
-        "vrts/lsp/channel/findings.py",
-        "if head <= line < len(old) - tail:",
+        "vrts/lsp/documents/moved.py",
+        "if self._head <= line < self._old_lines - self._tail:",
         "if False:",
         ("tests/unit/lsp/channel/test_findings.py",),
+    ),
+    Patch(
+        "lsp: what was found before is offered where it stood before",
+        "vrts/lsp/documents/moved.py",
+        "now = line if line < self._head else line + self._new_lines - self._old_lines",
+        "now = min(line, self._new_lines - 1)",
+        ("tests/unit/lsp/answers/test_near.py",),
+    ),
+    Patch(
+        "lsp: an action of a long text waits until all of it is checked",
+        "vrts/lsp/server/session.py",
+        "known[0] is not document and is_long(document)",
+        "known[0] is not document and not document",
+        ("tests/unit/lsp/answers/test_near.py",),
     ),
     Patch(
         "lsp: times of an earlier text count as those of this one",

@@ -23,6 +23,7 @@ from vrts.cli.shared.one_program import executed_so, of_one_program
 from vrts.cli.shared.options import (
     Language,
     engine_option,
+    entry_option,
     file_option,
     form_option,
     no_collisions_option,
@@ -48,6 +49,7 @@ Examples:
   vrts verify prog.v2 --task lab1-student.zip
   vrts verify prog.v2 --scenario gripper-slips.toml
   vrts verify prog.v2 --lab lab.toml
+  vrts verify prog.v2 --entry unload
   vrts verify prog.v2 --engine fcl
   vrts verify prog.v2 --certificate run.cert
   vrts verify prog.v2 --format json
@@ -57,6 +59,7 @@ Examples:
 @click.command(name="verify", epilog=EPILOG)
 @of_one_program("Name or path of a scene: verify in it, without a mark.", packed=True)
 @scenario_option()
+@entry_option("Program to execute; without it the task's, or the main one.")
 @file_option("--html", help="Write a page with a replay.")
 @click.option(
     "--for",
@@ -75,6 +78,7 @@ Examples:
 def command(
     program: str,
     where: Where,
+    entry: str | None,
     html: Path | None,
     reader: str,
     record: Path | None,
@@ -107,6 +111,9 @@ def command(
     setting = found_setting(given.path, where)
     if setting is None:
         no_setting(given.path, "to verify the program")
+    wanted = None if setting.task is None else setting.task.program
+    if entry is not None and wanted is not None and entry.lower() != wanted.lower():
+        warn(f"the task asks for the program `{wanted}`: this is the mark of `{entry}`")
     if where.scenario is not None and setting.scenario is not None:
         show_diagnostics(setting.scenario.warnings, color)
     with by_name(engine, asked=not no_collisions) as by:
@@ -118,7 +125,7 @@ def command(
             causes=True,
             workers=workers_of(None),
         )
-        request = verify_request(given, setting, language, checks=checks)
+        request = verify_request(given, setting, language, entry=entry, checks=checks)
         whole = assessed(request)
         found = whole.inner
     if form == "json":

@@ -32,15 +32,28 @@ def check(
     if not document.source.text.strip():
         return ()
     found = compile_source(document.source, Options(dialect=None)).diagnostics
-    return tuple(_linked(d, document, group, is_whole=is_whole) for d in found)
+    return tuple(linked(d, document, group, is_whole=is_whole) for d in found)
 
 
-def _linked(
-    diagnostic: Diagnostic, document: Document, group: Sequence[Document], *, is_whole: bool
+def family_of(diagnostic: Diagnostic) -> str:
+    """Return which kind of name a diagnostic misses, that another file may have; or nothing."""
+    return _FAMILIES.get(diagnostic.rule, "")
+
+
+def linked(
+    diagnostic: Diagnostic, document: Document, group: Sequence[Document], *, is_whole: bool = True
 ) -> Diagnostic:
-    family = _FAMILIES.get(diagnostic.rule)
+    """Return a diagnostic of a buffer with what the other files of its group add to it.
+
+    Args:
+        diagnostic: What was found in the buffer alone.
+        document: The buffer.
+        group: Files that belong together with it.
+        is_whole: Whether all files of the folder are known.
+    """
+    family = family_of(diagnostic)
     names = names_of(diagnostic)
-    if family is None or not names:
+    if not family or not names:
         return diagnostic
     others = [other for other in group if other is not document]
     left = [n for n in names if not any(n in _defined(other, family) for other in others)]

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from vrts.base.diagnostic import Diagnostic, Fix
+from vrts.base.diagnostic import Diagnostic, Fix, Severity
 from vrts.lang.findings.usage import UNDEFINED_PROGRAM
 from vrts.lang.meaning.structure import MISSING_END
 from vrts.lang.reading.sections.misplaced_lines import MISSING_END_LINE
@@ -28,7 +28,7 @@ def remedies(document: Document, diagnostic: Diagnostic) -> Iterator[Remedy]:
         yield Remedy(title, tuple(Edit(*e.span[1:], e.replacement) for e in fix.edits), fix.sure)
     if diagnostic.rule == MISSING_END:
         yield from _end(document, diagnostic)
-    elif diagnostic.rule == UNDEFINED_PROGRAM:
+    elif diagnostic.rule == UNDEFINED_PROGRAM and diagnostic.severity is not Severity.NOTE:
         name = diagnostic.data.get("name")
         end = len(document.source.text)
         begin = "\n" if document.source.text.endswith("\n") else "\n\n"

@@ -1,12 +1,13 @@
 """What a verification in the background found, tied to places of the text that it read."""
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
 from vrts.base.diagnostic import Diagnostic, Label, Severity
 from vrts.base.source import SourceFile
 from vrts.lsp.answers.formatting import Edit
+from vrts.lsp.documents.moved import Moved
 
 MOST = 200  # findings that are told of one text
 
@@ -117,7 +118,7 @@ def carried(
 
     They may hold no longer, so they weigh little, say so, and offer nothing more.
     """
-    moved = moving(before, after)
+    moved = Moved(before, after).offset
     found: list[Finding] = []
     for finding in findings:
         start, end = moved(finding.start), moved(finding.end)
@@ -126,27 +127,3 @@ def carried(
             now = finding._replace(severity=Severity.NOTE, message=text, start=start, end=end)
             found.append(now._replace(related=(), mending=None, scenario=""))
     return tuple(found)
-
-
-def moving(before: SourceFile, after: SourceFile) -> Callable[[int], int | None]:
-    """Return where offsets of a text are in a later one; None in lines that have changed.
-
-    The lines above the first change and below the last one are the same.
-    """
-    old, new = before.text.split("\n"), after.text.split("\n")
-    most = min(len(old), len(new))
-    head = 0
-    while head < most and old[head] == new[head]:
-        head += 1
-    tail = 0
-    while tail < most - head and old[-1 - tail] == new[-1 - tail]:
-        tail += 1
-
-    def moved(offset: int) -> int | None:
-        line = before.line_of(offset) - 1
-        if head <= line < len(old) - tail:
-            return None
-        column = offset - before.line_starts[line]
-        return after.line_starts[line if line < head else line + len(new) - len(old)] + column
-
-    return moved

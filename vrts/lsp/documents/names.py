@@ -1,6 +1,7 @@
 """Every name of one source: where its programs begin, what is used in them, what data it holds."""
 
 import re
+from bisect import bisect_right
 from collections.abc import Iterator
 from functools import cache, cached_property
 from typing import NamedTuple
@@ -90,8 +91,8 @@ class Names:
 
     def program_at(self, offset: int) -> ProgramNames | None:
         """Return the program around an offset."""
-        found = [p for p in self.programs if p.start <= offset]
-        return found[-1] if found else None
+        at = bisect_right(self.programs, offset, key=_start)
+        return self.programs[at - 1] if at else None
 
     @cached_property
     def entry(self) -> str | None:
@@ -154,6 +155,10 @@ class Names:
         if not found:
             return None
         return next((o.kind for o in found if o.sure), found[0].kind)
+
+
+def _start(program: ProgramNames) -> int:
+    return program.start
 
 
 def names_of(source: SourceFile, dialect: Dialect) -> Names:

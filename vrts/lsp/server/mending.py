@@ -22,11 +22,11 @@ def register(session: Session) -> None:
     async def actions(server: Session, params: types.CodeActionParams) -> list[types.CodeAction]:
         uri = params.text_document.uri
         document = server.document(uri)
-        found = await server.diagnostics_of(document)
-        if server.document(uri) is not document:
-            return []
         places = server.places(document)
         first, last = places.offset(params.range.start), places.offset(params.range.end)
+        found = await server.diagnostics_near(document, first, last)
+        if server.document(uri) is not document:
+            return []
         mended = [
             _action(remedy, diagnostic, uri, places)
             for diagnostic in found

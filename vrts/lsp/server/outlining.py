@@ -30,7 +30,7 @@ def register(session: Session) -> None:
     ) -> list[types.DocumentSymbol]:
         document = server.document(params.text_document.uri)
         places = server.places(document)
-        return [_symbol(symbol, places) for symbol in symbols(document)]
+        return [converted(symbol, places) for symbol in symbols(document)]
 
     @session.feature(types.WORKSPACE_SYMBOL)
     async def workspace_symbols(
@@ -90,12 +90,13 @@ def _edits(server: Session, document: Document, edits: list[Edit]) -> list[types
     return [types.TextEdit(places.range(edit.start, edit.end), edit.text) for edit in edits]
 
 
-def _symbol(symbol: Symbol, places: Places) -> types.DocumentSymbol:
+def converted(symbol: Symbol, places: Places) -> types.DocumentSymbol:
+    """Return a symbol as the protocol has it."""
     return types.DocumentSymbol(
         symbol.name,
         _KINDS[symbol.what],
         places.range(symbol.start, symbol.end),
         places.range(symbol.name_start, symbol.name_end),
         symbol.detail or None,
-        children=[_symbol(part, places) for part in symbol.parts] or None,
+        children=[converted(part, places) for part in symbol.parts] or None,
     )

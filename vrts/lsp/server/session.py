@@ -15,6 +15,7 @@ from pygls.uris import from_fs_path, to_fs_path
 from vrts import __version__
 from vrts.base.diagnostic import Diagnostic
 from vrts.lsp.answers.checking import check
+from vrts.lsp.answers.near import is_long, near
 from vrts.lsp.channel.findings import Finding
 from vrts.lsp.documents.documents import Document, Documents
 from vrts.lsp.documents.linking import group
@@ -175,6 +176,22 @@ class Session(LanguageServer):
         """Return what is wrong with a buffer, as told last, or worked out now."""
         known = self._found.get(document.path)
         return known[1] if known and known[0] is document else await self._checked(document)
+
+    async def diagnostics_near(
+        self, document: Document, first: int, last: int
+    ) -> tuple[Diagnostic, ...]:
+        """Return at least what is wrong between two offsets of a buffer; soon, also if it is long.
+
+        While a long one is typed that is what was found before, moved along, and what is new there.
+        """
+        known = self._found.get(document.path)
+        if known is not None and known[0] is not document and is_long(document):
+            source = document.source
+            lines = range(source.line_of(first) - 1, source.line_of(last))
+            found = near(document, lines, *known, lambda: self.group(document))
+            if found is not None:
+                return found
+        return await self.diagnostics_of(document)
 
     async def _checked(self, document: Document) -> tuple[Diagnostic, ...]:
         folder = os.path.dirname(document.path)

@@ -3,19 +3,16 @@
 import asyncio
 import copy
 import io
-import json
 import random
 from collections.abc import Iterable
 from typing import Any, cast
 
 import pytest
 
+from tests.unit.lsp.heard import TEXT, URI, Heard, begun
 from vrts.lsp.server.messages.stream import Broken, Messages
 from vrts.lsp.server.serving import session_with_features
-from vrts.lsp.server.session import Session
 
-URI = "untitled:a.v2"
-TEXT = ".PROGRAM main\n        MOVE part\n        SIGNAL 5\n.END\n"
 ROUNDS = 12  # for each method
 AT = {"textDocument": {"uri": URI}, "position": {"line": 1, "character": 14}}
 RANGE = {"start": {"line": 0, "character": 0}, "end": {"line": 9, "character": 0}}
@@ -74,50 +71,6 @@ ODD: tuple[Any, ...] = (
     *("file:////etc\x00/passwd", "untitled:other", [[[[]]]], "a" * 5_000, "\U0001f916"),
 )
 REFUSED = {-32602, -32803, -32600}  # parameters, a request refused for a reason, a message
-
-
-class Heard:
-    """A session without a stream, and what it says."""
-
-    def __init__(self, session: Session) -> None:
-        self.session = session
-        self.said: list[dict[str, Any]] = []
-        self.number = 0
-        session.begin(asyncio.get_running_loop().create_future())
-        session.followed.set_writer(self, include_headers=False)
-
-    def write(self, data: bytes) -> None:
-        self.said.append(json.loads(data))
-
-    def close(self) -> None:
-        """Leave nothing open."""
-
-    def say(self, message: object) -> None:
-        self.session.followed.take(json.dumps(message).encode())
-
-    def tell(self, method: str, params: Any) -> None:
-        self.say({"jsonrpc": "2.0", "method": method, "params": params})
-
-    async def ask(self, method: str, params: Any) -> dict[str, Any]:
-        self.number += 1
-        number = f"mine-{self.number}"
-        message = {"jsonrpc": "2.0", "id": number, "method": method, "params": params}
-        self.say(message)
-        async with asyncio.timeout(30):
-            while True:
-                for found in self.said:
-                    if found.get("id") == number:
-                        return found
-                await asyncio.sleep(0)
-
-
-async def begun() -> Heard:
-    heard = Heard(session_with_features(runs=False))
-    found = await heard.ask("initialize", {"processId": None, "rootUri": None, "capabilities": {}})
-    assert "result" in found
-    heard.tell("initialized", {})
-    heard.tell("textDocument/didOpen", TOLD["textDocument/didOpen"])
-    return heard
 
 
 def places(value: Any, at: tuple[Any, ...] = ()) -> list[tuple[Any, ...]]:
