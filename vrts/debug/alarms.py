@@ -5,6 +5,7 @@ from enum import Enum
 from typing import NamedTuple
 
 from vrts.base.diagnostic import Diagnostic
+from vrts.base.remembered import Memory
 from vrts.base.units import mm
 from vrts.check.collision.collision import check_collisions
 from vrts.check.goals.reached import judged_at, reached
@@ -75,9 +76,19 @@ class Alarm(NamedTuple):
 class Alarms:
     """The alarms of one run; each kind is looked for when it is first asked for."""
 
-    def __init__(self, run: Run, near_miss_m: float | None, task: Task | None = None) -> None:
-        """Take a run, how near a near miss is [m], None: as the check assumes, and its task."""
+    def __init__(
+        self,
+        run: Run,
+        near_miss_m: float | None,
+        task: Task | None = None,
+        memory: Memory | None = None,
+    ) -> None:
+        """Take a run, how near a near miss is [m], None: as the check assumes, and its task.
+
+        `memory` holds what was found out of other futures of the run.
+        """
         self.run = run
+        self._memory = memory or Memory()
         self._task = task
         self._near_miss_m = near_miss_m
         self._report: CollisionReport | None = None
@@ -87,7 +98,9 @@ class Alarms:
     def report(self) -> CollisionReport:
         """The certified collisions of the run."""
         if self._report is None:
-            self._report = check_collisions(self.run.scene, self.run, near_miss=self._near_miss_m)
+            with self._memory.in_use():
+                near = self._near_miss_m
+                self._report = check_collisions(self.run.scene, self.run, near_miss=near)
         return self._report
 
     def of(self, filters: frozenset[Filter]) -> list[Alarm]:

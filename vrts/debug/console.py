@@ -23,6 +23,7 @@ from vrts.monitor.desk import Desk, Situation
 from vrts.monitor.folder import WorkingFolder
 from vrts.monitor.listings import value_text
 from vrts.monitor.monitor import Monitor
+from vrts.pipeline.request import Request
 from vrts.report.because import chain_lines
 from vrts.why.chain import Link
 
@@ -47,20 +48,35 @@ class Console:
         folder: Path,
         sources: Sequence[SourceFile],
         hints: Hints = Hints.EDIT,
+        request: Request | None = None,
     ) -> None:
-        """Take a debugger, the folder of files, the sources in memory, and what may be told."""
+        """Take a debugger, the folder of files, the sources in memory, and what may be told.
+
+        `request` says what the programs were made of; None: of a saved run.
+        """
         self._hints = hints
         self._debugger = debugger
+        self._folder = folder
+        self.request = request
         self._rows: list[Instant] = []  # where the numbers lead that were shown last
         self._asked_of = debugger.run
-        desk = Desk(WorkingFolder(folder), debugger.dialect, asks=False, replace=True)
+        self.show(sources)
+
+    @property
+    def hints(self) -> Hints:
+        """What the task allows to be told."""
+        return self._hints
+
+    def show(self, sources: Sequence[SourceFile]) -> None:
+        """Have these programs in memory, and no others."""
+        desk = Desk(WorkingFolder(self._folder), self._debugger.dialect, asks=False, replace=True)
         self._monitor = Monitor(desk)
         for source in sources:
             self._monitor.load(source, self._now)
 
     def take_over(self, other: "Console") -> None:
         """Read lines with the programs that another console has in memory."""
-        self._monitor = other._monitor
+        self._monitor, self.request, self._hints = other._monitor, other.request, other._hints
 
     @property
     def reads_on(self) -> bool:

@@ -10,8 +10,11 @@ from contextlib import contextmanager
 
 import numpy as np
 
+from vrts.base.remembered import Memory
 from vrts.check.task.task import Task
 from vrts.debug.alarms import Alarms
+from vrts.debug.branches.by_what import by_what
+from vrts.debug.branches.tree import Branch, By, Tree, first_branch
 from vrts.debug.breakpoints import Breakpoint
 from vrts.debug.conditions.hearing import Hear, nobody
 from vrts.debug.evaluating import commands_at
@@ -44,6 +47,7 @@ class Debugger:
         dialect: Dialect,
         near_miss_m: float | None = None,
         task: Task | None = None,
+        memory: Memory | None = None,
     ) -> None:
         """Begin before the first step of a run that was executed to its end.
 
@@ -52,13 +56,16 @@ class Debugger:
             dialect: Of its program.
             near_miss_m: How near a near miss is [m]; None: as the check assumes.
             task: What is asked for, if goals that are not reached are to be told.
+            memory: What was worked out for the run: its other futures need not do it again.
         """
+        self.memory = memory or Memory()
         self.wishes = Wishes()
         self.dialect = dialect
         self.log: list[Logged] = []  # written since somebody last took it
         self.hear: Hear = nobody  # called now and then while stops are looked for
         self._near_miss_m, self._task = near_miss_m, task
-        self._first = run
+        self._gone: Branch | None = None  # given up for want of room
+        self._tree = first_branch(run, dialect)
         self._take(run)
         self.stop = Stop(self._entry(), Why.ENTRY)
         self._trail: list[Stop] = []  # where forward steps came from
@@ -69,6 +76,16 @@ class Debugger:
     def run(self) -> Run:
         """The run as it goes with all changes so far."""
         return self._run
+
+    @property
+    def tree(self) -> Tree:
+        """All futures, and which one it is on."""
+        return self._tree
+
+    @property
+    def task(self) -> Task | None:
+        """What is asked for, if it may be told whether it is reached."""
+        return self._task
 
     @property
     def at(self) -> Instant:
@@ -202,16 +219,18 @@ class Debugger:
         return self._stand(found or Stop(last_instant(self._run), Why.END))
 
     def restart(self) -> Stop:
-        """Go back to the beginning, with all changes forgotten."""
+        """Go back to the beginning, as if nothing had been changed; what was is a branch."""
         self._trail.clear()
-        self._take(self._first)
+        self._tree = self._tree.at(self._tree.branches[0])
+        self.dialect = self._tree.current.dialect
+        self._take(self._tree.current.run)
         return self._stand(Stop(self._entry(), Why.ENTRY))
 
     def take_over(self, other: "Debugger") -> Stop:
         """Begin with what another debugger has opened; the wishes stay."""
         self.dialect = other.dialect
         self._near_miss_m, self._task = other._near_miss_m, other._task
-        self._first = other._first
+        self._tree = other._tree
         return self.restart()
 
     # --- changes ------------------------------------------------------------------------------
@@ -223,7 +242,8 @@ class Debugger:
         """
         timed = commands_at(self._run, self.at, commands)
         limit = self._run.scenario.limits.time_s + AFTERWARDS
-        other = forked(self._run, timed, max(limit, self.at.time_s + AFTERWARDS))
+        with self.memory.in_use():
+            other = forked(self._run, timed, max(limit, self.at.time_s + AFTERWARDS))
         refused = [
             event.words
             for event, number in zip(other.events, other.event_numbers, strict=True)
@@ -231,31 +251,83 @@ class Debugger:
             and self.at.finished < number <= self.at.finished + len(timed)
         ]
         self._trail.clear()
-        self._take(other)
+        self._grow(other, *by_what(commands), self.at)
         after = self.at.finished + len(timed)
         time_s = self.at.time_s if timed[0].after is not None else other.history.time_of(after)
         self.stop = self.stop._replace(instant=Instant(time_s, after))
         return refused
+
+    def rewrite(self, run: Run, dialect: Dialect, words: str, differs: Instant | None) -> Stop:
+        """Go on with a run of another text, from where it stands if both are alike up to there.
+
+        Else it stands at the same time of the other run.
+
+        Args:
+            run: As the other text makes it.
+            dialect: Of the other text.
+            words: What was changed.
+            differs: Where the present run comes to what differs; None: nowhere.
+        """
+        before = self._run
+        forked = last_instant(before) if differs is None else differs
+        self._trail.clear()
+        self._grow(run, By.TEXT, words, forked, dialect)
+        return self._stand_again(forked.finished if differs is not None else run.statements)
+
+    def to_branch(self, tree: Tree) -> Stop:
+        """Go to another branch: to the same instant if both share it, else to the same time."""
+        old, new = self._tree.current, tree.current
+        shared = tree.shared(old, new)
+        self._trail.clear()
+        self._tree, self.dialect = tree, new.dialect
+        self._take(new.run)
+        return self._stand_again(shared)
+
+    def name_branch(self, name: str) -> None:
+        """Give the present branch a name that no other has."""
+        self._tree = self._tree.named(name)
+
+    def take_gone(self) -> Branch | None:
+        """Return the branch that was given up last, once."""
+        gone, self._gone = self._gone, None
+        return gone
 
     @contextmanager
     def whole(self) -> Generator[None]:
         """Let what is done inside be done as a whole: where it fails, all is as it was before."""
         run, alarms, passages, stops = self._run, self._alarms, self._passages, self._stops
         stop, trail = self.stop, list(self._trail)
+        tree, dialect = self._tree, self.dialect
         try:
             yield
         except BaseException:
             self._run, self._alarms, self._passages, self._stops = run, alarms, passages, stops
             self.stop, self._trail = stop, trail
+            self._tree, self.dialect = tree, dialect
             raise
 
     # --- parts --------------------------------------------------------------------------------
+
+    def _grow(
+        self, run: Run, by: By, words: str, forked: Instant, dialect: Dialect | None = None
+    ) -> None:
+        """Go on with another run, as a branch of the present one."""
+        self.dialect = dialect or self.dialect
+        self._tree, gone = self._tree.grown(run, by, words, forked, self.dialect)
+        self._gone = gone or self._gone
+        self._take(run)
+
+    def _stand_again(self, shared: int) -> Stop:
+        """Stand where it stood if so many statements are the same, else at the same time."""
+        if self.at.finished <= shared and self.at.time_s <= self._run.horizon_s:
+            return self._stand(Stop(self.at, Why.STEP))
+        return self._stand(Stop(at_time(self._run, self.at.time_s), Why.STEP))
 
     def _take(self, run: Run) -> None:
         if run is getattr(self, "_run", None):
             return  # what was worked out of it still holds
         self._run = run
-        self._alarms = Alarms(run, self._near_miss_m, self._task)
+        self._alarms = Alarms(run, self._near_miss_m, self._task, self.memory)
         self._passages = {of: Passages(run, process=of) for of in (False, True)}
         self._stops = Stops(run, self._passages, self._alarms, self.dialect)
 

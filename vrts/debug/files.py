@@ -26,7 +26,8 @@ class Files:
             return ""
         has = "has" if len(names) == 1 else "have"
         listed = ", ".join(f"`{name}`" for name in names)
-        return f"{listed} {has} changed on disk; this is what it was, restart takes what it is"
+        ways = "`reload` goes on with what it is, restart begins with it"
+        return f"{listed} {has} changed on disk; this is what it was: {ways}"
 
 
 def _stamp(path: Path) -> tuple[int, int] | None:

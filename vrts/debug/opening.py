@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from vrts.base.diagnostic import Diagnostic
+from vrts.base.remembered import Memory
 from vrts.base.source import SourceFile
 from vrts.check.rules.hints import Hints
 from vrts.debug.console import Console
@@ -60,16 +61,19 @@ def opened(asked: Asked, near_miss_m: float | None = None) -> Opened:
     others = tuple(ProgramFile(read_bytes(p), str(p.resolve())) for p in asked.others)
     program = ProgramFile(read_bytes(path), str(path))
     reading = Reading(asked.dialect, others=others)
-    found = executed(Request(program, setting, reading, asked.entry))
+    request = Request(program, setting, reading, asked.entry)
+    memory = Memory()
+    with memory.in_use():
+        found = executed(request)
     run, compilation, task = found.run, found.compiled.compilation, setting.task
     if run is None or compilation is None:
         return Opened(None, None, (), found.diagnostics, files)
     near = near_miss_m if task is None else task.near_miss
     hints = Hints.EDIT if task is None else task.hints
     told = None if hints is Hints.NOTHING else task  # where things belong is a hint
-    debugger = Debugger(run, compilation.dialect, near, told)
+    debugger = Debugger(run, compilation.dialect, near, told, memory)
     sources = _sources(debugger)
-    console = Console(debugger, path.parent, sources, hints)
+    console = Console(debugger, path.parent, sources, hints, request)
     return Opened(debugger, console, sources, found.diagnostics, files)
 
 

@@ -111,6 +111,14 @@ def forked(run: Run, commands: Sequence[TimedCommand], until_s: float) -> Run:
     return _grown(machine, machine.now, until_s, tuple(kept))
 
 
+@deep_stack()
+def resumed(checkpoints: Sequence[Machine], until_s: float) -> Run:
+    """Return the run that goes on from the last of some states of it, with no further commands."""
+    machine = checkpoints[-1].copy()
+    machine.closed = True
+    return _grown(machine, machine.now, until_s, tuple(checkpoints))
+
+
 def execute(
     module: Module, scene: Scene, scenario: Scenario | None = None, program: str | None = None
 ) -> Run:

@@ -13,6 +13,7 @@ from vrts.debug.conditions.hearing import Hear, Interrupted, nobody
 from vrts.debug.dap.arguments import BadRequest, Fields
 from vrts.debug.dap.asking import ASKING
 from vrts.debug.dap.capabilities import CAPABILITIES
+from vrts.debug.dap.editing import EDITING
 from vrts.debug.dap.going import GOING
 from vrts.debug.dap.seeing import SEEING
 from vrts.debug.dap.session import Answer, Event, Json, Session
@@ -27,7 +28,7 @@ from vrts.report.screen.text import diagnostic_text
 
 Send: TypeAlias = Callable[[str, Json], None]
 
-_DURING = {**STOPPING, **GOING, **SEEING, **ASKING, **SHOWING}
+_DURING = {**STOPPING, **GOING, **SEEING, **ASKING, **EDITING, **SHOWING}
 
 
 class Adapter:
@@ -144,7 +145,7 @@ class Adapter:
         if found.debugger is None or found.console is None:
             raise BadRequest(why_not(found.diagnostics))
         found.debugger.hear = self._hear
-        return Session(found.debugger, found.console, found.sources, found.files)
+        return Session(found.debugger, found.console, found.files)
 
     def _say(self, text: str) -> None:
         if text:

@@ -3,6 +3,7 @@
 from collections.abc import Callable, Mapping
 
 from vrts.debug.dap.arguments import BadRequest, Fields
+from vrts.debug.dap.editing import typed
 from vrts.debug.dap.session import (
     FRAMES,
     OF_CAUSE,
@@ -62,10 +63,13 @@ def _evaluate(session: Session, a: Fields) -> Answer:
         return Answer({"result": shown.value, "variablesReference": reference})
     debugger = session.debugger
     before, stop = debugger.run, debugger.stop
-    said = plain_text(session.console.enter(text, frame)).rstrip("\n")
+    done = typed(session, text)
+    said = plain_text(session.console.enter(text, frame) if done is None else done).rstrip("\n")
     moved: list[Event] = []
     if debugger.run is not before:
         moved = session.moved()
+        if done is not None:
+            moved += session.stopped(debugger.stop)
     elif debugger.stop is not stop:
         moved = session.stopped(debugger.stop)
     return Answer({"result": said, "variablesReference": 0}, moved)

@@ -15,6 +15,8 @@ from vrts.debug.console import Console
 from vrts.debug.dap.arguments import BadRequest, Fields
 from vrts.debug.dap.handles import Handles
 from vrts.debug.debugger import Debugger, Stop, Why
+from vrts.debug.editing.futures import gave_up
+from vrts.debug.editing.text import sources_of
 from vrts.debug.files import Files
 from vrts.debug.frames import Frame, frames
 from vrts.engine.memory.events import Cause
@@ -52,13 +54,10 @@ class Answer(NamedTuple):
 class Session:
     """A program being debugged by a client."""
 
-    def __init__(
-        self, debugger: Debugger, console: Console, sources: tuple[SourceFile, ...], files: Files
-    ) -> None:
+    def __init__(self, debugger: Debugger, console: Console, files: Files) -> None:
         """Begin before the first step."""
         self.debugger = debugger
         self.console = console
-        self.sources = sources
         self.files = files
         self.handles = Handles()
         self.lines: dict[str, list[Breakpoint]] = {}  # by source
@@ -76,6 +75,11 @@ class Session:
         """Return a number for a breakpoint."""
         self._next_id += 1
         return self._next_id - 1
+
+    @property
+    def sources(self) -> tuple[SourceFile, ...]:
+        """The texts of the programs, as the present future has them."""
+        return sources_of(self.debugger)
 
     # --- where it is --------------------------------------------------------------------------
 
@@ -126,7 +130,9 @@ class Session:
         """Return what tells a client that what it shows is another future now."""
         self._told = min(self._told, len(self.debugger.state.output))
         self.handles.clear()
-        return [("invalidated", {"areas": ["variables", "stacks"]})]
+        gone = gave_up(self.debugger.take_gone())
+        said = [("output", {"category": "console", "output": f"{gone}\n"})] if gone else []
+        return [*said, ("invalidated", {"areas": ["variables", "stacks"]})]
 
     def stopped(self, stop: Stop, *, paused: bool = False) -> list[Event]:
         """Return what tells a client where it stands now, and what was written on the way.

@@ -1,8 +1,10 @@
-"""Commands that make another future: values, the step that comes next, answers."""
+"""Commands that make another future, and that go to another one: values, steps, texts, branches."""
 
 from vrts.debug.breakpoints import resolve
+from vrts.debug.editing import futures
+from vrts.debug.editing.text import take_up
 from vrts.debug.scripted.places import current
-from vrts.debug.scripted.session import Deed, Done, Refusal, Session
+from vrts.debug.scripted.session import Deed, Done, Refusal, Session, nothing
 from vrts.ir.commands import Answer, GoTo
 
 
@@ -35,6 +37,42 @@ def _answer(session: Session, rest: str, done: Done) -> None:
     done.moved = True
 
 
+def _reload(session: Session, rest: str, done: Done) -> None:
+    nothing(rest, "reload")
+    done.said.append(take_up(session.console, session.debugger))
+    done.moved = True
+
+
+def _branches(session: Session, rest: str, done: Done) -> None:
+    nothing(rest, "branches")
+    done.said += futures.listed(session.debugger.tree)
+
+
+def _branch(session: Session, rest: str, done: Done) -> None:
+    done.said.append(futures.go_to(session.debugger, session.console, rest))
+    done.moved = True
+
+
+def _undo(session: Session, rest: str, done: Done) -> None:
+    nothing(rest, "undo")
+    done.said.append(futures.undo(session.debugger, session.console))
+    done.moved = True
+
+
+def _redo(session: Session, rest: str, done: Done) -> None:
+    nothing(rest, "redo")
+    done.said.append(futures.redo(session.debugger, session.console))
+    done.moved = True
+
+
+def _name(session: Session, rest: str, done: Done) -> None:
+    done.said.append(futures.name(session.debugger, rest))
+
+
+def _compare(session: Session, rest: str, done: Done) -> None:
+    done.said += futures.compare(session.debugger, session.console, rest)
+
+
 def _changed(refused: list[str]) -> None:
     if refused:
         raise Refusal(" ".join(refused))
@@ -44,4 +82,11 @@ DEEDS: dict[str, Deed] = {
     "set": _set,
     "jump": _jump,
     "answer": _answer,
+    "reload": _reload,
+    "branches": _branches,
+    "branch": _branch,
+    "undo": _undo,
+    "redo": _redo,
+    "name": _name,
+    "compare": _compare,
 }

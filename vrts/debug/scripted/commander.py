@@ -1,5 +1,6 @@
 """Carries out commands: one line does one thing, and tells what, and where it stands then."""
 
+from vrts.debug.editing.futures import gave_up
 from vrts.debug.evaluating import CannotTell
 from vrts.debug.scripted import changing, going, looking, stopping
 from vrts.debug.scripted.names import near_words
@@ -29,6 +30,9 @@ def carry_out(session: Session, line: str) -> Done:
         done.said += str(problem).strip().split("\n")
         if deed is None and not session.console.reads_on:
             done.said += _meant(word)
+    gone = gave_up(session.debugger.take_gone())
+    if gone:
+        done.said.append(gone)
     log = session.debugger.log
     done.log = [Row(one.instant.time_s, "log", one.text) for one in log]
     log.clear()

@@ -59,6 +59,15 @@ COMMANDS = (
     Entry("set", "NAME = VALUE", "another value from here on: another future", CHANGE),
     Entry("jump", "LINE", "the step of the line comes next: another future", CHANGE),
     Entry("answer", "TEXT", "what the program gets that waits for a line", CHANGE),
+    Entry(
+        "reload", "", "the files as they are now, from before the first step that differs", CHANGE
+    ),
+    Entry("branches", "", "the futures so far: where each forked, and by what", CHANGE),
+    Entry("branch", "NAME", "to another future, at the same time", CHANGE),
+    Entry("undo", "", "to the future before the last change", CHANGE),
+    Entry("redo", "", "what was undone, again", CHANGE),
+    Entry("name", "NAME", "a name for this future, which is kept then", CHANGE),
+    Entry("compare", "A B", "two futures: mark, clearance, time, lost points", CHANGE),
 )
 BY_WORD = {entry.word: entry for entry in COMMANDS}
 ELSE = "Any other line is an expression, `x = 5`, or a command of the monitor."

@@ -1,0 +1,1 @@
+"""Tests of texts changed while they are debugged."""
