@@ -18,6 +18,7 @@ from vrts.robots.model import Arm, Configuration
 
 SPEED_TOLERANCE = 1e-6  # share of the limit; rounding of the polynomials
 TRIES_PAST = 5  # of speeds at which a line may get past a singularity, each half of the one before
+CUBIC = 4  # coefficients
 LOOKS = 16  # at a polynomial of higher degree than three
 
 Planning: TypeAlias = Callable[[Intent], Sequence[Piece] | None]
@@ -52,6 +53,27 @@ def _fastest(pieces: Sequence[Piece], limits: Configuration) -> Fastest:
     return found
 
 
+def none_too_fast(pieces: Sequence[Piece], limits: Configuration, rate_of_time: float) -> bool:
+    """Return whether surely no joint is too fast, as is nearly always so, without its peak.
+
+    The speed of a cubic never leaves the range of its three Bezier ordinates. What they do not
+    tell of a polynomial, its peak does.
+    """
+    allowed = [limit * (1.0 + SPEED_TOLERANCE / 2.0) / rate_of_time for limit in limits]
+    for start, end, rows in pieces:
+        length = end - start
+        for row, most in zip(rows, allowed, strict=True):
+            if len(row) == CUBIC:
+                _, first, bend, twist = row
+                middle = first + bend * length
+                last = middle + (bend + 3.0 * twist * length) * length
+                if -most <= first <= most and -most <= middle <= most and -most <= last <= most:
+                    continue
+            if len(row) > 1 and not _peak(row, length) <= most:
+                return False
+    return True
+
+
 def overspeed(
     arm: Arm,
     pieces: Sequence[Piece],
@@ -68,6 +90,8 @@ def overspeed(
         intent: The motion.
         plannings: Plan it again: as it stands, then from rest.
     """
+    if none_too_fast(pieces, arm.speed, rate_of_time):
+        return None
     most = fastest(pieces, arm.speed)
     if most.share * rate_of_time <= 1.0 + SPEED_TOLERANCE:
         return None

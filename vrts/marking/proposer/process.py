@@ -1,7 +1,7 @@
 """The child as a process: started, asked, and ended when it takes too long."""
 
+import importlib
 import os
-import runpy
 import signal
 import subprocess
 import sys
@@ -95,6 +95,11 @@ def can_fork() -> bool:
     return sys.platform == "linux" and len(list(_THREADS.iterdir())) == 1
 
 
+def load_for_children() -> None:
+    """Load once what every child that is forked from here on needs; nothing is asked here."""
+    importlib.import_module(CHILD)
+
+
 class _Spawned:
     """A process started anew."""
 
@@ -154,6 +159,6 @@ def _be_child(asked: int, tell: int) -> NoReturn:
         os.dup2(asked, 0)
         os.dup2(tell, 1)
         os.closerange(3, 4096)  # what is open here is the parent's: the ends of our own pipes too
-        runpy.run_module(CHILD, run_name="__main__")
+        importlib.import_module(CHILD).serve(0, 1)
     finally:
         os._exit(0)

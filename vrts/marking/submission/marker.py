@@ -20,6 +20,7 @@ from vrts.check.mark.earned import not_reached
 from vrts.controllers.models import FIRST
 from vrts.controllers.values import digest
 from vrts.marking.proposer.by_name import By, by_name
+from vrts.marking.proposer.process import load_for_children
 from vrts.marking.result import (
     SCORING,
     Damaged,
@@ -138,6 +139,8 @@ class Marker:
             from vrts.report.recording import prepare  # rerun is optional, and heavy
 
             prepare(self.whole.scene)
+        if self.wanted.collisions:
+            load_for_children()
         with scratch_folder() as folder:
             self._work(order, folder, quiet)
 

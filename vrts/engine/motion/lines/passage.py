@@ -90,8 +90,8 @@ def fastest_joint(
     shares = [
         abs(b - a) / (speed * step_s) for a, b, speed in zip(before, after, arm.speed, strict=True)
     ]
-    joint = max(range(len(shares)), key=shares.__getitem__)
-    return joint, shares[joint]
+    most = max(shares)
+    return shares.index(most), most
 
 
 def _by_singularity(arm: Arm, before: Stand, after: Stand, joint: int) -> bool:
