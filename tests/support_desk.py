@@ -18,7 +18,7 @@ from tests.support_rows import failed, plain_result
 from vrts.marking.about import About
 from vrts.marking.by_hand.decisions import records
 from vrts.marking.class_files import write_class
-from vrts.marking.layout import RESULT, Layout, write_atomically
+from vrts.marking.layout import COMPARED, RESULT, Layout, write_atomically
 from vrts.marking.result import Kind, Loss, Metrics, Program, Result, to_bytes
 from vrts.marking.row import Class, HandedIn, Lateness, Row, Student, row_of
 from vrts.marking.similarity.files import DATA, PAGE
@@ -117,6 +117,8 @@ def write_likeness(layout: Layout, names: Sequence[str]) -> None:
     ranking = {"schema": "vrts.similarity/1", "compared": len(names), "pairs": pairs}
     write_atomically(layout.staff / DATA, msgspec.json.encode(ranking))
     write_atomically(layout.staff / PAGE, b"<!doctype html><title>Similar programs</title>")
+    pair = b"<!doctype html><title>Two programs</title>"
+    write_atomically(layout.staff / COMPARED / "pair-001.html", pair)
 
 
 def write_decisions(layout: Layout, names: Sequence[str]) -> None:

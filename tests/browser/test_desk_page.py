@@ -13,6 +13,11 @@ from tests.browser.support_desk import at_desk
 from tests.support_desk import HOSTILE, write_desk_class
 from tests.support_desk_server import DeskProcess
 from tests.support_runs import CONTACT_S, assessment
+from tests.unit.marking.similarity.support import ORIGINAL
+from vrts.marking.layout import Layout
+from vrts.marking.similarity.features.extract import Program
+from vrts.marking.similarity.files import write_similarity
+from vrts.marking.similarity.kept import Kept
 from vrts.report.page.page import page
 from vrts.web.assets import asset
 
@@ -246,6 +251,29 @@ def test_axe_finds_nothing_and_hostile_texts_are_texts(
     press(view, "?")
     assert view.page.locator("#keys tbody tr").count() > 8
     assert faults(view, WIDE, dark=False) == []
+    view.page.context.close()
+
+
+@pytest.mark.thorough
+def test_links_of_what_is_alike_lead_to_pairs_reports_and_back(
+    browser: Browser, server: DeskProcess, out: Path
+) -> None:
+    programs = {"s0001": ORIGINAL.encode(), "s0002": ORIGINAL.encode()}
+    kept = Kept("Group 3", {who: Program(data) for who, data in programs.items()}, {}, ())
+    write_similarity(kept, Layout(out), names={})
+    view = at_desk(browser, server)
+    view.page.goto(f"{server.page}files/staff/similarity.html")
+    view.page.click("text=side by side")
+    assert view.page.url.endswith("/files/staff/similarity/pair-001.html")
+    assert len(view.page.frames) == 3, "both replays"
+    for frame in view.page.frames[1:]:
+        assert frame.locator("#source, #replay, main").count() > 0
+    view.page.click("text=Report of s0001")
+    assert view.page.url.endswith("/files/staff/students/s0001/report.html")
+    view.page.go_back()
+    view.page.click("text=All groups")
+    view.page.click("text=Overview of the class")
+    view.page.wait_for_selector("#list [aria-selected=true]", state="attached")
     view.page.context.close()
 
 

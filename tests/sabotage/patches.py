@@ -155,6 +155,20 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/marking/similarity/test_features.py",),
     ),
     Patch(
+        "a program of an earlier year that nobody executed is never like one of the class",
+        "vrts/marking/similarity/weighing/chance.py",
+        "    return np.where(seen, together, np.interp(written, by_text, by_all) + beyond)",
+        "    return together",
+        ("tests/unit/marking/similarity/test_nearness.py",),
+    ),
+    Patch(
+        "a pair of a large group is told by identifiers where names are known",
+        "vrts/marking/similarity/groups_section.py",
+        "names.get(one) or one for",
+        "one for",
+        ("tests/unit/marking/similarity/test_page.py",),
+    ),
+    Patch(
         "what crowds tells as much of a copy as what is rare",
         "vrts/marking/similarity/weighing/nearness.py",
         "    nats = _weights(np.maximum(rank, 1), count)",

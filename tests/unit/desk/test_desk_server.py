@@ -54,13 +54,23 @@ def test_files_are_those_of_the_class_and_run_in_a_sandbox(layout: Layout) -> No
         assert "frame-ancestors 'self'" in policy
         assert "allow-same-origin" not in policy
         assert desk.get(row["sent"]).status == 200
-        assert desk.get("/files/staff/similarity.html").status == 200
+        alike = ("/files/staff/similarity.html", "/files/staff/similarity/pair-001.html")
+        for path in alike:  # runs nothing, and its links lead on with the desk's cookie
+            answer = desk.get(path)
+            assert answer.status == 200, path
+            policy = answer.headers["content-security-policy"]
+            assert policy.startswith("default-src 'none'; style-src 'unsafe-inline'; img-src data:")
+            assert "script-src" not in policy
+        overview = desk.get("/files/staff/index.html")
+        assert (overview.status, overview.headers["location"]) == (303, "/")
         page = desk.get("/").headers["content-security-policy"]
         assert "script-src 'self'; " in page
         assert "unsafe" not in page
         for path in (
             "/files/staff/results.json",
             "/files/staff/similarity.html/../results.json",
+            "/files/staff/similarity/programs.zip",
+            "/files/staff/similarity/..%2fpair-001.html",
             "/files/staff/..%2fsimilarity.html",
             "/files/staff/students/s0001/result.json",
             "/files/staff/students/s0002/report.html",

@@ -7,7 +7,7 @@ from typing import Final, NamedTuple
 
 from starlette.applications import Starlette
 from starlette.requests import Request
-from starlette.responses import Response
+from starlette.responses import RedirectResponse, Response
 from starlette.routing import Route
 from starlette.types import ASGIApp, Receive, Scope, Send
 
@@ -61,6 +61,9 @@ def application(desk: Desk, marking: Marking, upkeep: Upkeep, door: Way, events:
     async def asset(request: Request) -> Response:
         return _asset(files, request, request.path_params["path"])
 
+    async def overview(_: Request) -> Response:
+        return RedirectResponse("/", 303)  # the desk is the overview of its class
+
     @asynccontextmanager
     async def lifespan(_: Starlette) -> AsyncGenerator[None, None]:
         loop = asyncio.get_running_loop()
@@ -95,6 +98,8 @@ def application(desk: Desk, marking: Marking, upkeep: Upkeep, door: Way, events:
             Route("/api/events", events.listen),
             Route("/files/staff/students/{student}/{name}", reports.staff_report),
             Route("/files/students/{student}/{name}", reports.sent_report),
+            Route("/files/staff/index.html", overview),
+            Route("/files/staff/similarity/{name}", reports.pair),
             Route("/files/staff/{name}", reports.alike),
         ],
         exception_handlers={404: _no_such, 405: _no_such},

@@ -15,11 +15,13 @@ from starlette.responses import Response
 
 from vrts.desk.desk import Desk
 from vrts.desk.front.answers import refusal
+from vrts.marking.layout import COMPARED
 from vrts.marking.renewing.renewed import page_about
 from vrts.marking.submission.report_files import REPORT
 
 HTML: Final = "text/html; charset=utf-8"
 LARGEST: Final = 200_000_000  # bytes of a file that is sent
+_PAIR: Final = re.compile(r"pair-[0-9]{3,6}\.html")
 _ALIKE: Final = re.compile(r"similarity[a-z0-9-]{0,80}\.html")
 
 
@@ -45,6 +47,14 @@ class FilePages:
             return _nothing()
         book = (await asyncio.to_thread(self._desk.now)).book
         return await asyncio.to_thread(_file, book.opened.layout.staff / name)
+
+    async def pair(self, request: Request) -> Response:
+        """Return a page of two programs that are alike."""
+        name = request.path_params["name"]
+        if not _PAIR.fullmatch(name):
+            return _nothing()
+        book = (await asyncio.to_thread(self._desk.now)).book
+        return await asyncio.to_thread(_file, book.opened.layout.staff / COMPARED / name)
 
     def report(self, student: str, name: str, *, staff: bool) -> Response:
         """Return a report as the grader at the desk may see it.

@@ -1,7 +1,8 @@
 """What browsers may do with what the desk sends: little with its page, less with reports.
 
 Reports are files that hold what students wrote. They run in a sandbox of their own, without the
-desk's name: nothing in them can ask the desk for anything, whatever it is.
+desk's name: nothing in them can ask the desk for anything, whatever it is. Pages of what is alike
+may run nothing at all. They keep the desk's name, so that their links lead to its other files.
 """
 
 from typing import Final
@@ -19,7 +20,12 @@ REPORT: Final = (
     " style-src 'unsafe-inline'; img-src data: blob:; base-uri 'none'; form-action 'none';"
     " frame-ancestors 'self'"
 )
+ALIKE: Final = (
+    "default-src 'none'; style-src 'unsafe-inline'; img-src data:; frame-src 'self';"
+    " base-uri 'none'; form-action 'none'; frame-ancestors 'self'"
+)
 FILES: Final = "/files/"
+ALL_ALIKE: Final = "/files/staff/similarity"  # how addresses of what is alike begin
 
 
 class Policy:
@@ -34,12 +40,14 @@ class Policy:
         if scope["type"] != "http":
             await self._app(scope, receive, send)
             return
-        is_file = scope["path"].startswith(FILES)
+        path: str = scope["path"]
+        is_file = path.startswith(FILES)
+        policy = ALIKE if path.startswith(ALL_ALIKE) else REPORT if is_file else PAGE
 
         async def bound(message: Message) -> None:
             if message["type"] == "http.response.start":
                 headers = MutableHeaders(raw=message.setdefault("headers", []))
-                headers["content-security-policy"] = REPORT if is_file else PAGE
+                headers["content-security-policy"] = policy
                 headers["x-frame-options"] = "SAMEORIGIN" if is_file else "DENY"
             await send(message)
 

@@ -15,6 +15,7 @@ ALIKE = {  # of evidence, what one of it is, and several
     "motion": ("place or motion", "places and motions"),
     "steps": ("step or row of steps", "steps and rows of steps"),
     "numbers": ("number or taught value", "numbers and taught values"),
+    "manner": ("manner of motion", "manners of motion"),
     "offsets": ("exact distance of taught values", "exact distances of taught values"),
     "words": ("name, comment or habit of layout", "names, comments and habits of layout"),
     "text": ("row of words", "rows of words"),
@@ -30,19 +31,22 @@ MEANING = {
 }
 
 
-def groups_section(ranking: Ranking, labels: Mapping[str, Markup]) -> Markup:
+def groups_section(
+    ranking: Ranking, labels: Mapping[str, Markup], names: Mapping[str, str]
+) -> Markup:
     """Return the section.
 
     Args:
         ranking: What was found.
         labels: Of the programs of the class, by identifier.
+        names: Of the students, by identifier, where they are known.
     """
     if not ranking.groups:
         nothing = "No programs hang together more than chance explains."
         return element("section", element("h2", "Groups"), element("p", nothing))
     heads = ("No.", "Programs", "Strength", "Why", "Compare")
     head = element("tr", *(element("th", text, scope="col") for text in heads))
-    rows = [_row(k, group, labels) for k, group in enumerate(ranking.groups, start=1)]
+    rows = [_row(k, group, labels, names) for k, group in enumerate(ranking.groups, start=1)]
     table = element("table", element("thead", head), element("tbody", *rows), class_="groups")
     return element(
         "section",
@@ -63,7 +67,9 @@ def _counts(ranking: Ranking) -> str:
     )
 
 
-def _row(number: int, group: Group, labels: Mapping[str, Markup]) -> Markup:
+def _row(
+    number: int, group: Group, labels: Mapping[str, Markup], names: Mapping[str, str]
+) -> Markup:
     members = [element("li", labels.get(one) or one_line(one)) for one in group.members]
     width = f"width:{100 * group.score:.0f}%"
     return element(
@@ -78,7 +84,7 @@ def _row(number: int, group: Group, labels: Mapping[str, Markup]) -> Markup:
             class_=f"strength {group.strength.split(' ', 1)[0]}",
         ),
         element("td", element("p", why(group), class_="why"), _reasons(group)),
-        element("td", *_pages(group, labels)),
+        element("td", *_pages(group, names)),
     )
 
 
@@ -111,14 +117,14 @@ def _reasons(group: Group) -> Markup:
     return element("ul", *told) if told else joined(["many small things"])
 
 
-def _pages(group: Group, labels: Mapping[str, Markup]) -> list[Child]:
+def _pages(group: Group, names: Mapping[str, str]) -> list[Child]:
     linked = [link for link in group.links if link.page]
     if len(linked) == 1:
         return [element("a", "side by side", href=linked[0].page)]
-    found: list[Child] = [
-        element("p", element("a", one_line(f"{link.first} and {link.second}"), href=link.page))
-        for link in linked[:MOST_PAGES]
-    ]
+    found: list[Child] = []
+    for link in linked[:MOST_PAGES]:
+        both = " and ".join(names.get(one) or one for one in (link.first, link.second))
+        found.append(element("p", element("a", one_line(both), href=link.page)))
     if len(linked) > MOST_PAGES:
         found.append(element("p", f"and {len(linked) - MOST_PAGES} more pairs in the folder"))
     return found

@@ -91,6 +91,7 @@ def likeness(
         _folders(len(own), corpora or {}),
         sameness([one.same for one in written], [one.common for one in written]),
         near.total,
+        np.array([program.sketch is not None for program in all_programs]),
     )
     groups = groups_of(chance.surprise, chance.expected, compared, MOST_EXPECTED)
     return _told(groups, names, all_programs, _Found(found, chance, known, near, details))

@@ -47,7 +47,7 @@ def similarity_page(
     labels = {who: _who(who, known.get(who, ""), pages=pages) for who in programs}
     body = [
         _head(ranking, title),
-        groups_section(ranking, labels),
+        groups_section(ranking, labels, known),
         _table(ranking, labels),
         *(
             _side_by_side(number, pair, sources, labels)
@@ -205,13 +205,13 @@ def _method(ranking: Ranking) -> Markup:
         " both programs, and nothing else."
     )
     groups = (
-        "Groups rest on six kinds of evidence: what the runs did, in space and from the things of"
+        "Groups rest on seven kinds of evidence: what the runs did, in space and from the things of"
         " each one's own scene; the steps as they are executed, calls put in place, loops of every"
         " kind alike, filler left out; numbers and taught values within a tolerance; comments,"
-        " names and layout; the text; and how far apart taught values lie along an axis, to the"
-        " last digit. What a feature counts depends on how few have it, here"
-        " and in the folders compared with. What comes with the task, and places that the scene"
-        " names, count nothing."
+        " names and layout; the text; how far apart taught values lie along an axis, to the last"
+        " digit; and the manner of motion: speeds, and how the hand comes and goes. What a feature"
+        " counts depends on how few have it, here and in the folders compared with. What comes with"
+        " the task, and places that the scene names, count nothing."
     )
     strength = (
         "Nearly all pairs of a class are innocent, and show what chance can do. A group is strong"

@@ -31,6 +31,7 @@ KINDS = {
     "words": "Words and layout",
     "text": "Text",
     "offsets": "Distances",
+    "manner": "Manner",
 }
 
 

@@ -93,6 +93,19 @@ def test_names_comments_and_layout_change_no_step() -> None:
     assert by[Channel.STEPS] > by[Channel.NUMBERS]
 
 
+def test_other_values_and_names_change_nothing_of_the_manner_of_motion() -> None:
+    """Speeds and what the hand does stay, however places and heights are changed."""
+    other = LOOP.replace("120", "145").replace("200", "165").replace("part", "thing")
+    slow = LOOP.replace("  OPENI\n  FOR", "  SPEED 30 ALWAYS\n  OPENI\n  FOR")
+
+    def manner(text: str) -> set[object]:
+        features = features_of(Program(text.encode()), "a", Reader())
+        return {one.key for one in features if one.channel is Channel.MANNER}
+
+    assert manner(LOOP) == manner(other) != set()
+    assert manner(LOOP).isdisjoint(manner(slow))
+
+
 def stop(x: int, y: int, z: int, line: int = 1, thing: str = "can1") -> Stop:
     return Stop(line, True, 50, (x, y, z), (0, 0, -100), thing, (x - 70, y, z), "", "", False)
 

@@ -157,6 +157,24 @@ def test_nearness_makes_a_pair_stand_out_that_is_moderately_alike_otherwise() ->
     assert nothing == without
 
 
+def test_a_pair_whose_run_is_unknown_counts_as_one_that_is_as_rare_in_writing() -> None:
+    """As with programs of an earlier year that nobody executed."""
+    draw = np.random.default_rng(2)
+    run = draw.uniform(0.1, 0.4, (60, 90)).astype(np.float32)
+    run[:, 60:] = 0.0
+    steps = draw.uniform(0.1, 0.4, (60, 90)).astype(np.float32)
+    steps[3, 80] = steps[5, 9] = 0.9
+    run[5, 9] = 0.9
+    compared = np.triu(np.ones((60, 90), dtype=np.bool_), 1)
+    ran = np.arange(90) < 60
+    known = chances((run, steps), compared, ran=ran).expected
+    blind = chances((run, steps), compared).expected
+    assert known[3, 80] < blind[3, 80] / 5
+    assert known[3, 80] == known[:, 60:].min()
+    assert np.median(known[:, 60:]) > 100, "others are no more than chance"
+    assert np.allclose(chances((run, steps), compared, ran=ran | True).expected, blind)
+
+
 def test_a_copy_by_motion_alone_is_the_first_group() -> None:
     sketches = of_class(40)
     text = ".PROGRAM main()\n  MOVE a\n.END\n"

@@ -3,6 +3,7 @@
 import json
 from pathlib import Path
 
+import msgspec
 import pytest
 from click.testing import CliRunner
 
@@ -15,7 +16,7 @@ from vrts.marking.layout import Layout
 from vrts.marking.similarity.evidence import MOST
 from vrts.marking.similarity.features.extract import Program
 from vrts.marking.similarity.files import given, write_similarity
-from vrts.marking.similarity.groups import Evidence, Group
+from vrts.marking.similarity.groups import Evidence, Group, Link
 from vrts.marking.similarity.groups_section import why
 from vrts.marking.similarity.kept import Kept
 from vrts.marking.similarity.page import similarity_page
@@ -126,6 +127,16 @@ def test_grade_writes_overview_and_similarity_for_the_staff(tmp_path: Path) -> N
     assert CliRunner().invoke(vrts, words).exit_code == 0
     assert not (out / "staff" / "similarity.html").exists()
     assert "similarity.html" not in (out / "staff" / "index.html").read_text()
+
+
+def test_pairs_of_a_large_group_are_named_where_names_are_known() -> None:
+    links = tuple(Link("anna", who, 0.9, "strong", f"similarity/{who}.html") for who in ("b", "c"))
+    group = Group(("anna", "b", "c"), 0.9, "strong", 0.01, links, ())
+    ranking = msgspec.structs.replace(similarity({}), groups=(group,))
+    text = Reader(similarity_page(ranking, {}, "Group", {"anna": "Anna Ady", "b": "", "c": "Cem"}))
+    assert "Anna Ady and b" in text.text
+    assert "Anna Ady and Cem" in text.text
+    assert "anna and b" in Reader(similarity_page(ranking, {}, "Group")).text
 
 
 def test_a_group_says_why_in_a_sentence_and_claims_no_difference_it_does_not_know() -> None:

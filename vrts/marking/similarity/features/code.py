@@ -28,7 +28,7 @@ def _pieces(steps: Sequence[Step]) -> Iterator[Feature]:
         yield Feature(Channel.STEPS, "step", (step.shape, step.loops), step.line)
         yield Feature(Channel.STEPS, "exact", (step.exact,), step.line)
         if step.speed:
-            yield Feature(Channel.STEPS, "speed", (step.name, step.speed), step.line)
+            yield Feature(Channel.MANNER, "speed", (step.name, step.speed), step.line)
         for value in step.numbers:
             if value in USUAL:
                 continue
@@ -41,7 +41,8 @@ def _pieces(steps: Sequence[Step]) -> Iterator[Feature]:
     for length in DEEDS_IN_A_ROW:
         yield from _rows("deeds", [step.name for step in deeds], deeds, length)
     yield from _rows("with numbers", [_numbered(step) for step in deeds], deeds, 2)
-    yield from _rows("with speeds", [_hasty(step) for step in deeds], deeds, 3)
+    for row in _rows("with speeds", [_hasty(step) for step in deeds], deeds, 3):
+        yield row._replace(channel=Channel.MANNER)
     for length in (2, 3):
         yield from _rows("steps", [step.shape for step in steps], steps, length)
     pairs = [step for step in deeds if step.numbers]
@@ -74,9 +75,9 @@ def _handling(steps: Sequence[Step]) -> Iterator[Feature]:
         elif word == "Delay" and step.numbers:
             waits += step.numbers[0]
     for key, line in told:
-        yield Feature(Channel.STEPS, "hand", key, line)
+        yield Feature(Channel.MANNER, "hand", key, line)
     for (one, line), (two, _) in pairwise(told):
-        yield Feature(Channel.STEPS, "two hands", (*one, *two), line)
+        yield Feature(Channel.MANNER, "two hands", (*one, *two), line)
 
 
 def _rows(kind: str, words: Sequence[str], steps: Sequence[Step], length: int) -> Iterator[Feature]:

@@ -16,6 +16,7 @@ class Channel(Enum):
     WORDS = "words"
     TEXT = "text"
     OFFSETS = "offsets"
+    MANNER = "manner"
 
 
 class Feature(NamedTuple):

@@ -41,13 +41,13 @@ def _pieces(sketch: Sketch) -> Iterator[Feature]:
         yield from near(Channel.MOTION, "stretch", how, by, STEP_MM, other.line)
         length = round(sum(n * n for n in by) ** 0.5 / 10)
         key = (other.straight, other.speed, length, other.hand)
-        yield Feature(Channel.MOTION, "manner", key, other.line)
+        yield Feature(Channel.MANNER, "manner", key, other.line)
     for one, two, three in zip(stops, stops[1:], stops[2:], strict=False):
         first, second, both = between(one, two), between(two, three), between(one, three)
         yield from near(Channel.MOTION, "turn", (), (*first, *second), ROUGH_MM, three.line)
         yield from near(Channel.MOTION, "across", (bool(three.held),), both, STEP_MM, three.line)
     for four in zip(stops, stops[1:], stops[2:], stops[3:], strict=False):
-        yield Feature(Channel.MOTION, "deeds", tuple(_deed(s) for s in four), four[-1].line)
+        yield Feature(Channel.MANNER, "deeds", tuple(_deed(s) for s in four), four[-1].line)
 
 
 def _deed(stop: Stop) -> tuple[bool, bool, str, str]:

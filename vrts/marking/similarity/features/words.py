@@ -36,7 +36,7 @@ def words_of(feature: Feature) -> str:
         Channel.WORDS: _habits,
         Channel.TEXT: _text,
         Channel.OFFSETS: _offsets,
-        Channel.OFFSETS: _offsets,
+        Channel.MANNER: _manner,
     }
     said = one_line(tell[feature.channel](feature.kind, feature.key))
     return said if len(said) <= LONGEST else f"{said[: LONGEST - 1]}…"
@@ -59,16 +59,10 @@ def _motion(kind: str, key: tuple[object, ...]) -> str:
             how = "straight " if straight else ""
             what = " with something in the hand" if held else ""
             return f"the tool moves {how}by the same distance in the same direction{what}"
-        case "manner", (straight, speed, length, hand, *_):
-            how = "straight line" if straight else "motion"
-            then = f", then the hand is told to {hand}" if hand else ""
-            return f"a {how} of about {_number(length, 10)} mm at {speed} %{then}"
         case "turn", _:
             return "two motions in a row by the same distances in the same directions"
         case "across", _:
             return "two motions in a row that together lead equally far"
-        case "deeds", _:
-            return "four motions in a row to the same things, with the same orders to the hand"
         case _:
             return "the same motion"
 
@@ -76,15 +70,32 @@ def _motion(kind: str, key: tuple[object, ...]) -> str:
 def _steps(kind: str, key: tuple[object, ...]) -> str:
     if kind == "step":
         return f"a step of the same form: {_step(str(key[0]))}"
-    if kind in ("hand", "two hands"):
-        more = "; the same at the next order to the hand" if kind == "two hands" else ""
-        return f"{_hand(key)}{more}"
     if kind == "exact":
         return f"the same step with the same numbers: {_step(str(key[0]))}"
-    if kind == "speed":
-        return f"{_step(str(key[0]))} at speed {_speed(str(key[1]))}"
+    return _in_a_row(key)
+
+
+def _in_a_row(key: tuple[object, ...]) -> str:
     texts = [_step(str(one)) for one in key if isinstance(one, str)]
     return f"the same {len(texts)} steps in a row, whatever stands between: {', '.join(texts)}"
+
+
+def _manner(kind: str, key: tuple[object, ...]) -> str:
+    match kind, key:
+        case "manner", (straight, speed, length, hand, *_):
+            how = "straight line" if straight else "motion"
+            then = f", then the hand is told to {hand}" if hand else ""
+            return f"a {how} of about {_number(length, 10)} mm at {speed} %{then}"
+        case "deeds", _:
+            return "four motions in a row to the same things, with the same orders to the hand"
+        case "speed", (step, speed, *_):
+            return f"{_step(str(step))} at speed {_speed(str(speed))}"
+        case "hand", _:
+            return _hand(key)
+        case "two hands", _:
+            return f"{_hand(key)}; the same at the next order to the hand"
+        case _:
+            return _in_a_row(key)
 
 
 def _hand(key: tuple[object, ...]) -> str:

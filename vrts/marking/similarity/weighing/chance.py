@@ -25,8 +25,10 @@ SURE = 32.0  # nats
 LEAST_PAIRS = 500.0  # a small class is taken for a larger one: little is known of it
 MOST_SURPRISE = 40.0  # nats of one channel
 # of the channels, in their order: comments and layout are alike for many innocent reasons, and are
-# what a disguise changes first
-FACTORS = (1.0, 1.0, 1.0, 0.5, 1.0, 1.0)
+# what a disguise changes first; manners of motion are what few disguises reach
+FACTORS = (1.0, 1.0, 1.0, 0.5, 1.0, 1.0, 2.0)
+OF_RUNS = (0,)  # channels that are nothing but what a run did
+FEWEST_RUNS = 100  # pairs of which both runs are known, before others are measured by them
 NEAR_FACTOR = 2.0  # of nearness, which few disguises reach
 NEIGHBOURS = slice(3, 8)  # of a program, by likeness: what is usual for it
 BEGIN, TAIL, END = 0.80, 0.95, 0.995  # quantiles between which innocent pairs thin out evenly
@@ -49,6 +51,7 @@ def chances(
     folders: Sequence[slice] = (),
     sure: Floats | None = None,
     near: Floats | None = None,
+    ran: Bools | None = None,
 ) -> Chances:
     """Return how surprising the shares of a class are.
 
@@ -58,13 +61,16 @@ def chances(
         folders: Columns of each other folder.
         sure: Nats that are added to pairs that are nearly the same throughout.
         near: How near each pair is in detail; only ranks of it count.
+        ran: Of each program, whether it is known what its run did; None: of all.
     """
     pairs = int(compared.sum())
     measure = _measure(found, compared, folders)
     channels = tuple(_surprise(share.astype(np.float64), measure) for share in found)
-    together = np.tensordot(np.array(FACTORS[: len(channels)]), np.stack(channels), axes=1)
-    if near is not None:
-        together = together + NEAR_FACTOR * _surprise_of_rank(near, measure)
+    nearly = 0.0 if near is None else NEAR_FACTOR * _surprise_of_rank(near, measure)
+    together = np.tensordot(np.array(FACTORS[: len(channels)]), np.stack(channels), axes=1) + nearly
+    if ran is not None and not ran.all():
+        written = together - nearly - sum(FACTORS[k] * channels[k] for k in OF_RUNS)
+        together = _as_if_run(together, written, ran, measure)
     apart = together - _usual_of_both(together, compared)
     if pairs == 0:
         return Chances(apart, channels, np.full(apart.shape, np.inf))
@@ -90,6 +96,21 @@ def sameness(same: Sequence[NDArray[np.float32]], common: Sequence[NDArray[np.fl
     weight = np.add.reduce(list(common)).astype(np.float64)
     whole = np.clip((least - NEARLY) / (1.0 - NEARLY), 0.0, 1.0)
     return SURE * whole * np.minimum(1.0, weight / LONG)
+
+
+def _as_if_run(together: Floats, written: Floats, ran: Bools, measure: Bools) -> Floats:
+    """Return the surprise of all pairs, where runs are unknown by what is written alone.
+
+    Such a pair is as surprising as pairs of the class whose runs are known and of which as few go
+    as far in what is written.
+    """
+    seen = ran[: len(together), None] & ran[None, :]
+    known = measure & seen
+    if known.sum() < FEWEST_RUNS:
+        return together
+    by_text, by_all = np.sort(written[known]), np.sort(together[known])
+    beyond = np.maximum(0.0, written - by_text[-1])
+    return np.where(seen, together, np.interp(written, by_text, by_all) + beyond)
 
 
 def _measure(
