@@ -1976,6 +1976,20 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/debug/branches/test_tree.py",),
     ),
     Patch(
+        "debug: a value is written back over a file that has changed",
+        "vrts/debug/editing/keeping.py",
+        "or there.text != found.source.text",
+        "",
+        ("tests/unit/debug/editing/test_keeping.py",),
+    ),
+    Patch(
+        "debug: a value that is worked out is written back to what it comes from",
+        "vrts/debug/editing/keeping.py",
+        "    if not literal or len(pieces) != len(values):\n",
+        "    if len(pieces) != len(values):\n",
+        ("tests/unit/debug/editing/test_keeping.py",),
+    ),
+    Patch(
         "debug: who wants no answer is not heard before a fork",
         "vrts/debug/conditions/expression.py",
         "            hear()\n",

@@ -9,6 +9,7 @@ from vrts.base.source import SourceFile
 from vrts.check.rules.hints import Hints, without_remedy
 from vrts.debug.debugger import Debugger
 from vrts.debug.evaluating import CannotTell, evaluate, worked_out
+from vrts.debug.files import Files
 from vrts.debug.frames import Frame, frames
 from vrts.debug.giving import Target, command_for, given, target_of
 from vrts.debug.history import answers
@@ -49,15 +50,16 @@ class Console:
         sources: Sequence[SourceFile],
         hints: Hints = Hints.EDIT,
         request: Request | None = None,
+        files: Files | None = None,
     ) -> None:
         """Take a debugger, the folder of files, the sources in memory, and what may be told.
 
-        `request` says what the programs were made of; None: of a saved run.
+        `request` says what the programs were made of, None: of a saved run; `files`, from where.
         """
         self._hints = hints
         self._debugger = debugger
         self._folder = folder
-        self.request = request
+        self.request, self.files = request, files
         self._rows: list[Instant] = []  # where the numbers lead that were shown last
         self._asked_of = debugger.run
         self.show(sources)
@@ -76,7 +78,8 @@ class Console:
 
     def take_over(self, other: "Console") -> None:
         """Read lines with the programs that another console has in memory."""
-        self._monitor, self.request, self._hints = other._monitor, other.request, other._hints
+        self._monitor, self._hints = other._monitor, other._hints
+        self.request, self.files = other.request, other.files
 
     @property
     def reads_on(self) -> bool:

@@ -17,6 +17,11 @@ class Files:
         """Whether any is not what it was at first."""
         return any(_stamp(path) != known for path, known in self._first.items())
 
+    def taken(self, path: Path) -> None:
+        """Know that a file, as it is now, is what is debugged."""
+        if path in self._told:
+            self._told[path] = _stamp(path)
+
     def news(self) -> str:
         """Return one sentence about what has changed since this was last asked; else nothing."""
         now = {path: _stamp(path) for path in self._told}

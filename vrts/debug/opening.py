@@ -73,7 +73,7 @@ def opened(asked: Asked, near_miss_m: float | None = None) -> Opened:
     told = None if hints is Hints.NOTHING else task  # where things belong is a hint
     debugger = Debugger(run, compilation.dialect, near, told, memory)
     sources = _sources(debugger)
-    console = Console(debugger, path.parent, sources, hints, request)
+    console = Console(debugger, path.parent, sources, hints, request, files)
     return Opened(debugger, console, sources, found.diagnostics, files)
 
 

@@ -6,7 +6,16 @@ from typing import TYPE_CHECKING
 
 import click
 
-from vrts.cli.shared.console import HOLDS, WRONG, fail, guarded, out, say, show_diagnostics
+from vrts.cli.shared.console import (
+    HOLDS,
+    WRONG,
+    fail,
+    guarded,
+    out,
+    say,
+    show_diagnostics,
+    write_file,
+)
 from vrts.cli.shared.options import (
     IN_CELL,
     TASK_OR_ALONE,
@@ -213,7 +222,9 @@ def _at_terminal(
     assert found.debugger is not None
     assert found.console is not None
     with DebugOutside(asked, found) as outside, recorder(record) as kept:
-        session = Session(found.debugger, found.console, outside.restart, writes=True)
+        session = Session(
+            found.debugger, found.console, outside.restart, writes=True, write=write_file
+        )
         for done in _begin(session, first):
             kept.add(done)
         debug(session, outside.keys(), kept)

@@ -9,6 +9,7 @@ from pathlib import Path
 from vrts.debug.dap.arguments import BadRequest, Fields
 from vrts.debug.dap.session import Answer, Event, Json, Session
 from vrts.debug.editing import futures
+from vrts.debug.editing.keeping import Kept, kept
 from vrts.debug.editing.text import take_up
 from vrts.debug.scripted.changing import DEEDS
 from vrts.debug.scripted.commander import carry_out
@@ -77,6 +78,28 @@ def _compare(session: Session, a: Fields) -> Answer:
     return Answer({"rows": futures.compare(session.debugger, session.console, asked)})
 
 
+def _keep(session: Session, a: Fields) -> Answer:
+    """Return the edits that write a value back to its literal: the client carries them out."""
+    found = kept(session.debugger.tree, a.optional("name") or "")
+    return Answer({"name": found.name, "diff": found.diff, "edits": _edits(found)})
+
+
+def _edits(found: Kept) -> list[Json]:
+    """Return edits as an editor takes them: lines and columns from 1."""
+    source = found.source
+    return [
+        {
+            "path": source.name,
+            "line": edit.span.line,
+            "column": edit.span.column,
+            "endLine": source.line_of(edit.span.end),
+            "endColumn": source.column_of(edit.span.end),
+            "text": edit.replacement,
+        }
+        for edit in found.edits
+    ]
+
+
 def _where(session: Session) -> Json:
     return {"time": session.debugger.at.time_s, "branch": session.debugger.tree.current.label}
 
@@ -97,4 +120,5 @@ EDITING: Mapping[str, Callable[[Session, Fields], Answer]] = {
     "vrts/redo": _redo,
     "vrts/name": _name,
     "vrts/compare": _compare,
+    "vrts/keep": _keep,
 }

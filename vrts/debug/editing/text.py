@@ -58,6 +58,10 @@ def take_up(console: Console, debugger: Debugger, sent: Mapping[str, str] | None
         for point in debugger.wishes.lines
     ]
     console.request = request
+    files = console.files
+    if files is not None:
+        for name in after:
+            files.taken(Path(name))
     console.show(sources_of(debugger))
     stays = forked.differs is None or at.finished <= forked.differs.finished
     told = _told(forked, stays=stays, time_s=debugger.at.time_s)
@@ -120,5 +124,6 @@ def _told(forked: Forked, *, stays: bool, time_s: float) -> str:
         said.append(f"you stand at {time_s:.3f} s of the new future")
     if forked.forgotten:
         many = len(forked.forgotten)
-        said.append(f"{many} change{'s' * (many > 1)} that came later by hand not made again")
+        made = "changes by hand later are" if many > 1 else "change by hand later is"
+        said.append(f"{many} {made} not made again")
     return "; ".join(said)

@@ -1,7 +1,10 @@
 """Commands that make another future, and that go to another one: values, steps, texts, branches."""
 
+from pathlib import Path
+
 from vrts.debug.breakpoints import resolve
 from vrts.debug.editing import futures
+from vrts.debug.editing.keeping import kept, write_back
 from vrts.debug.editing.text import take_up
 from vrts.debug.scripted.places import current
 from vrts.debug.scripted.session import Deed, Done, Refusal, Session, nothing
@@ -73,6 +76,20 @@ def _compare(session: Session, rest: str, done: Done) -> None:
     done.said += futures.compare(session.debugger, session.console, rest)
 
 
+def _keep(session: Session, rest: str, done: Done) -> None:
+    words = rest.split()
+    writes = words[-1:] == ["yes"]
+    found = kept(session.debugger.tree, " ".join(words[:-1] if writes else words))
+    if not writes:
+        done.said += [*found.diff, f"`keep {found.name} yes` writes it"]
+        return
+    if session.write is None:
+        raise Refusal("a script changes no file: `keep` alone shows what would change")
+    said = write_back(session.console, session.debugger, found, session.write)
+    done.said += [f"written to {Path(found.source.name).name}", said]
+    done.moved = True
+
+
 def _changed(refused: list[str]) -> None:
     if refused:
         raise Refusal(" ".join(refused))
@@ -89,4 +106,5 @@ DEEDS: dict[str, Deed] = {
     "redo": _redo,
     "name": _name,
     "compare": _compare,
+    "keep": _keep,
 }

@@ -3,6 +3,7 @@
 import re
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import NamedTuple, TypeAlias, TypeVar
 
 from vrts.base.source import SourceFile
@@ -59,6 +60,7 @@ class Session:
     console: Console  # reads what is no command of the table
     restart: Callable[[], str] | None = None  # with the files as they are now; says what of it
     writes: bool = False  # whether commands of the monitor may change files
+    write: Callable[[Path, bytes], None] | None = None  # a file, whole or not at all; may fail
     process: bool = False  # whose steps are gone
     last_id: int = 0
 

@@ -67,6 +67,12 @@ COMMANDS = (
     Entry("undo", "", "to the future before the last change", CHANGE),
     Entry("redo", "", "what was undone, again", CHANGE),
     Entry("name", "NAME", "a name for this future, which is kept then", CHANGE),
+    Entry(
+        "keep",
+        "[NAME] [yes]",
+        "shows the literal that a value set by hand is written back to; `yes` writes it",
+        CHANGE,
+    ),
     Entry("compare", "A B", "two futures: mark, clearance, time, lost points", CHANGE),
 )
 BY_WORD = {entry.word: entry for entry in COMMANDS}
