@@ -145,6 +145,12 @@ class Code:
             has_text=re.compile(re.escape(shown).replace("\u00a0", "[\u00a0 ]")),
         ).first.click()
 
+    def text(self, words: str) -> str:
+        """Return a line of the text as it is shown, with all that is drawn behind it."""
+        found = self.page.locator(".editor-instance .view-line").all_inner_texts()
+        plain = [re.sub("\\s", " ", line) for line in found]
+        return next((line for line in plain if words in line), "")
+
     def status(self) -> str:
         """Return what our item of the status bar says."""
         found = self.page.locator("[id='vrts.vrts.vrts.mark']")

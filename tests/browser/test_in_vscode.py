@@ -44,6 +44,20 @@ def note(arm: Frame) -> str:
     return arm.inner_text("#note")
 
 
+def keys_go_to(code: Code, arm: Frame) -> None:
+    """After a scrub the arrows scrub on; Escape gives the keys back to the text."""
+    arm.click("#time", position={"x": 200, "y": 5})
+    code.until(lambda: note(arm) == f"The debugger stands at {time_of(arm):.3f} s.", "a scrub")
+    code.until(lambda: arm.evaluate("document.hasFocus()"), "the keys come back to the panel")
+    before = time_of(arm)
+    code.page.keyboard.press("ArrowRight")
+    code.until(lambda: abs(time_of(arm) - before - 0.1) < 1e-6, "0.1 s further")
+    code.until(lambda: note(arm) == f"The debugger stands at {time_of(arm):.3f} s.", "with it")
+    code.until(lambda: arm.evaluate("document.hasFocus()"), "the keys come back again")
+    code.page.keyboard.press("Escape")
+    code.until(lambda: not arm.evaluate("document.hasFocus()"), "the keys are the text's")
+
+
 def test_the_arm_stands_where_text_and_debugger_stand(code: Code) -> None:
     code.open("solution.v2")
     code.until(lambda: "10.0 / 10 · ready" in code.status(), "the mark in the status bar")
@@ -61,11 +75,16 @@ def test_the_arm_stands_where_text_and_debugger_stand(code: Code) -> None:
     code.page.keyboard.press("F5")
     code.until(lambda: note(arm) == "The debugger stands at 0.000 s, line 3.", "debugging")
     assert time_of(arm) == 0.0
+    assert arm.inner_text("#goals-check").strip() == "goals 0 of 2"
     arm.evaluate("window.vrts.stage.jump(4.5)")
     code.until(lambda: note(arm) == "The debugger stands at 4.500 s.", "the debugger went there")
     code.until(lambda: code.stands() == MOVES_GOAL + 1, "the line of the step that comes next")
+    code.until(lambda: "goal = 1100 230 −125" in code.text("MOVES goal"), "values behind the line")
+    assert "goal =" not in code.text("MOVE safe"), "of another program"
+    keys_go_to(code, arm)
+    scrubbed = time_of(arm)
     code.page.keyboard.press("F10")
-    code.until(lambda: time_of(arm) > 4.5, "a step from there")
+    code.until(lambda: time_of(arm) > scrubbed, "a step from there")
     later = time_of(arm)
     code.page.click(".debug-toolbar .codicon-debug-step-back")
     code.until(lambda: time_of(arm) < later, "a step back")

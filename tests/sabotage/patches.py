@@ -58,10 +58,24 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "the arm beside the text shows the future from before a change in the debugger",
-        "vrts/debug/dap/showing.py",
-        "    if before is not run:",
-        "    if before is None:",
+        "vrts/debug/dap/session.py",
+        "        if before is not run:",
+        "        if before is None:",
         ("tests/unit/debug/dap/test_showing.py",),
+    ),
+    Patch(
+        "a recording for the panel cannot be ended while collisions are looked for",
+        "vrts/debug/conditions/heard_proposer.py",
+        "        self._hear()\n",
+        "",
+        ("tests/unit/debug/dap/test_inline.py",),
+    ),
+    Patch(
+        "values are drawn behind lines that have not come yet",
+        "vrts/debug/dap/inline.py",
+        "        last = min(last, cause.span.line)",
+        "        pass",
+        ("tests/unit/debug/dap/test_inline.py",),
     ),
     Patch(
         "students are told places that they are to find",

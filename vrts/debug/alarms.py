@@ -13,6 +13,8 @@ from vrts.check.task.task import Task
 from vrts.check.verdict import CollisionReport, ContactEvent, NearMiss
 from vrts.check.verdicts.limits import JOINT_SPEED, check_limits
 from vrts.check.verdicts.targets import describe
+from vrts.debug.conditions.heard_proposer import HeardProposer
+from vrts.debug.conditions.hearing import Hear, nobody
 from vrts.debug.passages import Instant, at_time
 from vrts.engine.hand.told import CLOSED_ON_NOTHING, DROP_HEIGHT, OFF_CENTRE
 from vrts.engine.memory.events import Cause, Found, Released, Toppled
@@ -82,13 +84,20 @@ class Alarms:
         near_miss_m: float | None,
         task: Task | None = None,
         memory: Memory | None = None,
+        hear: Hear = nobody,
     ) -> None:
-        """Take a run, how near a near miss is [m], None: as the check assumes, and its task.
+        """Take a run, how near a near miss is, its task, and who is heard while it is checked.
 
-        `memory` holds what was found out of other futures of the run.
+        Args:
+            run: The run.
+            near_miss_m: How near a near miss is [m]; None: as the check assumes.
+            task: What is asked for, if goals that are not reached are alarms.
+            memory: Holds what was found out of other futures of the run.
+            hear: May end what takes long; then nothing is known yet.
         """
         self.run = run
         self._memory = memory or Memory()
+        self._hear = hear
         self._task = task
         self._near_miss_m = near_miss_m
         self._report: CollisionReport | None = None
@@ -99,8 +108,11 @@ class Alarms:
         """The certified collisions of the run."""
         if self._report is None:
             with self._memory.in_use():
-                near = self._near_miss_m
-                self._report = check_collisions(self.run.scene, self.run, near_miss=near)
+                self._report = check_collisions(
+                    *(self.run.scene, self.run),
+                    near_miss=self._near_miss_m,
+                    proposer=HeardProposer(self._hear),
+                )
         return self._report
 
     def of(self, filters: frozenset[Filter]) -> list[Alarm]:

@@ -327,7 +327,8 @@ class Debugger:
         if run is getattr(self, "_run", None):
             return  # what was worked out of it still holds
         self._run = run
-        self._alarms = Alarms(run, self._near_miss_m, self._task, self.memory)
+        hear = lambda: self.hear()  # noqa: E731 -- whoever it is then
+        self._alarms = Alarms(run, self._near_miss_m, self._task, self.memory, hear)
         self._passages = {of: Passages(run, process=of) for of in (False, True)}
         self._stops = Stops(run, self._passages, self._alarms, self.dialect)
 

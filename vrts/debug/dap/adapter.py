@@ -15,6 +15,7 @@ from vrts.debug.dap.asking import ASKING
 from vrts.debug.dap.capabilities import CAPABILITIES
 from vrts.debug.dap.editing import EDITING
 from vrts.debug.dap.going import GOING
+from vrts.debug.dap.inline import INLINE
 from vrts.debug.dap.seeing import SEEING
 from vrts.debug.dap.session import Answer, Event, Json, Session
 from vrts.debug.dap.showing import SHOWING
@@ -28,7 +29,7 @@ from vrts.report.screen.text import diagnostic_text
 
 Send: TypeAlias = Callable[[str, Json], None]
 
-_DURING = {**STOPPING, **GOING, **SEEING, **ASKING, **EDITING, **SHOWING}
+_DURING = {**STOPPING, **GOING, **SEEING, **ASKING, **EDITING, **SHOWING, **INLINE}
 
 
 class Adapter:

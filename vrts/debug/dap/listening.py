@@ -13,6 +13,13 @@ from vrts.debug.dap.arguments import Fields
 from vrts.debug.dap.framing import Incoming, Malformed, Message
 
 _STOP = frozenset({"pause", "disconnect", "terminate"})
+_SHOWN = "vrts.recording"  # gives way to whatever moves the debugger: it is asked for again then
+_MOVES = frozenset(
+    {
+        *("continue", "reverseContinue", "next", "stepIn", "stepOut", "stepBack", "goto"),
+        *("restart", "setVariable", "setExpression", "vrts.tick", "vrts.seek", "vrts/go"),
+    }
+)
 MOST_WAITING = 1_000  # requests that wait; a client that sends more waits itself
 
 
@@ -33,6 +40,7 @@ class Listening:
         self._row: Queue[Heard] = Queue(MOST_WAITING)
         self._lock = Lock()
         self._stop = 0  # number of the last message that stops what is worked on
+        self._moves = 0  # number of the last one that moves the debugger
         self._cancelled: set[int] = set()  # `seq` of requests
         self._now = Heard(0, None)
         Thread(target=self._listen, name="requests", daemon=True).start()
@@ -54,6 +62,9 @@ class Listening:
             now = self._now
             seq = None if now.message is None else now.message.get("seq")
             if self._stop > now.number or (isinstance(seq, int) and seq in self._cancelled):
+                raise Interrupted
+            shows = now.message is not None and now.message.get("command") == _SHOWN
+            if shows and self._moves > now.number:
                 raise Interrupted
 
     def _listen(self) -> None:
@@ -79,6 +90,8 @@ class Listening:
         with self._lock:
             if message is None or (isinstance(command, str) and command in _STOP):
                 self._stop = found.number
+            elif isinstance(command, str) and command in _MOVES:
+                self._moves = found.number
             elif command == "cancel":
                 which = Fields(message.get("arguments")).whole_or_none("requestId")
                 if which is not None and len(self._cancelled) < MOST_WAITING:

@@ -64,12 +64,14 @@ class Session:
         self.paused = False  # it was stopped by the client, which has been told so
         self._next_id = 1
         self._told = 0  # characters of the terminal that the client has seen
+        self._futures = 1, debugger.run  # a number, and which run it is of
         debugger.wishes.filters = DEFAULT
 
     def take_over(self, other: "Session") -> None:
         """Wish what another session wished."""
         self.debugger.wishes = other.debugger.wishes
         self.lines, self._next_id = other.lines, other._next_id
+        self._futures = other._futures
 
     def new_id(self) -> int:
         """Return a number for a breakpoint."""
@@ -80,6 +82,15 @@ class Session:
     def sources(self) -> tuple[SourceFile, ...]:
         """The texts of the programs, as the present future has them."""
         return sources_of(self.debugger)
+
+    @property
+    def future(self) -> int:
+        """A number that is another one whenever the run is another one."""
+        number, before = self._futures
+        run = self.debugger.run
+        if before is not run:
+            self._futures = number + 1, run
+        return self._futures[0]
 
     # --- where it is --------------------------------------------------------------------------
 

@@ -5,18 +5,16 @@ They are ours, so their names begin with `vrts.`; another client never asks.
 
 import math
 from collections.abc import Callable, Mapping
-from weakref import WeakKeyDictionary
 
 from vrts.base.source import SourceFile
 from vrts.check.judgement import Judgement
+from vrts.debug.conditions.heard_proposer import HeardProposer
 from vrts.debug.dap.arguments import BadRequest, Fields
 from vrts.debug.dap.session import PROCESS, ROBOT, Answer, Event, Session
-from vrts.engine.run import Run
 from vrts.pipeline.curve import with_curve
 from vrts.report.assessment import Assessment
 from vrts.report.page.page import recording
-
-_futures: WeakKeyDictionary[Session, tuple[int, Run]] = WeakKeyDictionary()
+from vrts.report.page.replay_lanes import goal_times
 
 
 def _where(session: Session, a: Fields) -> Answer:
@@ -28,14 +26,18 @@ def _where(session: Session, a: Fields) -> Answer:
     body = {
         "time": debugger.at.time_s,
         "line": here,
-        "future": _future(session),
+        "future": session.future,
         "thread": PROCESS if debugger.stop.process else ROBOT,
     }
     return Answer(body)
 
 
 def _recording(session: Session, a: Fields) -> Answer:
-    """Return the run as it goes with all changes so far, as the page of a report holds it."""
+    """Return the run as it goes with all changes so far, as the page of a report holds it.
+
+    Raises:
+        Interrupted: Somebody wants the debugger to go on meanwhile.
+    """
     run, source = session.debugger.run, _source(session, a)
     found = Assessment(
         "debugged",
@@ -44,10 +46,13 @@ def _recording(session: Session, a: Fields) -> Answer:
         (),
         module=run.module,
         scene=run.scene,
+        task=session.debugger.task,
         run=run,
         judgement=Judgement((), session.debugger.alarms.report),
     )
-    return Answer({"recording": recording(with_curve(found), None), "future": _future(session)})
+    curved = with_curve(found, HeardProposer(session.debugger.hear))
+    shown = {**recording(curved, None), **goal_times(run, session.debugger.task)}
+    return Answer({"recording": shown, "future": session.future})
 
 
 def _seek(session: Session, a: Fields) -> Answer:
@@ -58,16 +63,6 @@ def _seek(session: Session, a: Fields) -> Answer:
     going: Event = ("continued", {"threadId": ROBOT, "allThreadsContinued": True})
     events = session.stopped(session.debugger.jump(max(time_s, 0.0)))
     return Answer({"time": session.debugger.at.time_s}, [going, *events])
-
-
-def _future(session: Session) -> int:
-    """Return a number that is another one whenever the run is another one."""
-    run = session.debugger.run
-    number, before = _futures.get(session, (0, None))
-    if before is not run:
-        number += 1
-        _futures[session] = number, run
-    return number
 
 
 def _source(session: Session, a: Fields) -> SourceFile:

@@ -28,6 +28,7 @@ class Beside {
     /** @type {any} */ this.session = undefined; // that debugs it
     this.future = 0; // of the debugger that the panel holds; 0: a recording of the language server
     this.seeking = false;
+    this.keeps = false; // the keys, at the next stop
     this.own = 0; // stops to be told of that are the panel's own wish
     /** @type {number | undefined} */ this.wanted = undefined; // time [s] to go to next
     /** @type {any[]} */ this.waiting = []; // messages, until the panel is ready
@@ -57,6 +58,7 @@ class Beside {
     const place = { viewColumn: vscode.ViewColumn.Beside, preserveFocus: true };
     this.panel = vscode.window.createWebviewPanel("vrts.arm", "Arm", place, options);
     this.panel.onDidDispose(() => this.closed());
+    this.panel.onDidChangeViewState(() => this.keepKeys());
     this.panel.webview.onDidReceiveMessage((/** @type {any} */ message) => this.heard(message));
     this.panel.webview.html = page(this.panel.webview, this.root);
   }
@@ -76,15 +78,30 @@ class Beside {
     else this.waiting.push(message);
   }
 
+  /** A stop brings the text to the front, keys and all: after a scrub they stay with the time bar. */
+  keepKeys() {
+    if (!this.panel || this.panel.active || !this.keeps) return;
+    this.keeps = false;
+    this.panel.reveal(undefined, false);
+  }
+
   /** What the panel says. @param {any} message */
   heard(message) {
     if (message.kind === "ready") {
       this.ready = true;
       for (const one of this.waiting.splice(0)) this.post(one);
     }
+    if (message.kind === "leave") void this.leave();
     if (message.kind !== "at") return;
     if (this.session) void this.seek(message.t);
     else this.lightUp(message.line);
+  }
+
+  /** Give the keys back to the text. */
+  async leave() {
+    const editor = this.editors()[0];
+    if (editor) await vscode.window.showTextDocument(editor.document, { viewColumn: editor.viewColumn, preserveFocus: false });
+    else await vscode.commands.executeCommand("workbench.action.focusActiveEditorGroup");
   }
 
   // --- without a debugger ---
@@ -112,6 +129,7 @@ class Beside {
     if (!this.panel || document.languageId !== LANGUAGE || String(document.uri) !== String(this.uri)) return;
     const mouse = event.kind === vscode.TextEditorSelectionChangeKind.Mouse;
     const keys = event.kind === vscode.TextEditorSelectionChangeKind.Keyboard;
+    if (mouse) this.keeps = false; // the reader went there
     if (!mouse && !(keys && !this.session)) return;
     const line = event.selections[0].active.line + 1;
     this.post({ kind: "line", line });
@@ -157,6 +175,7 @@ class Beside {
       const where = await this.where(session);
       this.post({ kind: "time", t: where.time, text: `The debugger stands at ${where.time.toFixed(3)} s${where.line ? `, line ${where.line}` : ""}.` });
     } catch (problem) {
+      if (told(problem) === "cancelled") return; // it went on meanwhile: the next stop shows more
       this.post({ kind: "note", text: `The debugger does not say where it stands: ${told(problem)}`, old: true });
     }
   }
@@ -183,6 +202,7 @@ class Beside {
         const next = this.wanted;
         this.wanted = undefined;
         this.own += 1;
+        this.keeps = true;
         const found = await this.session.customRequest("vrts.seek", { time: next }).then(undefined, (/** @type {any} */ problem) => {
           this.own -= 1;
           throw problem;

@@ -99,6 +99,19 @@ const trackers = {
   },
 };
 
+/** What the names of a line stand for where the debugger stands, behind the line. */
+const inlineValues = {
+  async provideInlineValues(/** @type {any} */ document, /** @type {any} */ range, /** @type {any} */ context) {
+    const session = vscode.debug.activeDebugSession;
+    if (!session || session.type !== "vrts") return [];
+    const asked = { path: document.uri.fsPath, frameId: context.frameId, first: range.start.line + 1, last: range.end.line + 1 };
+    const found = await session.customRequest("vrts.inline", asked);
+    return found.values
+      .filter((/** @type {any} */ one) => one.line <= document.lineCount)
+      .map((/** @type {any} */ one) => new vscode.InlineValueText(document.lineAt(one.line - 1).range, one.text));
+  },
+};
+
 /** Show the arm beside a program. */
 async function showArm(/** @type {any} */ argument) {
   const program = programOf(argument);
@@ -125,6 +138,7 @@ exports.activate = async function activate(/** @type {any} */ context) {
     vscode.debug.registerDebugAdapterDescriptorFactory("vrts", adapters),
     vscode.debug.registerDebugAdapterTrackerFactory("vrts", trackers),
     vscode.debug.registerDebugConfigurationProvider("vrts", configurations),
+    vscode.languages.registerInlineValuesProvider({ language: LANGUAGE }, inlineValues),
     vscode.commands.registerCommand("vrts.run", (file, entry) => inTerminal("run", file, entry)),
     vscode.commands.registerCommand("vrts.verify", (file) => inTerminal("verify", file, undefined)),
     vscode.commands.registerCommand("vrts.debug", debug),

@@ -13,6 +13,7 @@ from vrts.report.assessment import Assessment
 from vrts.report.audience import as_allowed, for_student
 from vrts.report.first_screen import first_screen
 from vrts.report.page.page import replay_data
+from vrts.report.page.replay_lanes import goal_times
 from vrts.report.quantities import full, mark
 
 
@@ -51,6 +52,8 @@ def shown(setting: Setting, compiled: Compiled, run: Run, judgement: Judgement) 
         screen.obstacles,
         screen.cause,
         setting.environment is None,
-        json.dumps(replay_data(a), separators=(",", ":"), allow_nan=False),
+        json.dumps(
+            {**replay_data(a), **goal_times(run, task)}, separators=(",", ":"), allow_nan=False
+        ),
         span.line if span is not None and span.source is source else 0,
     )

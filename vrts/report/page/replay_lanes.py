@@ -1,8 +1,11 @@
-"""What the lanes under the time bar show: lines at work, and when signals were on."""
+"""What the lanes under the time bar show: lines at work, when signals were on, goals reached."""
 
 from bisect import bisect_right
 
 from vrts.base.source import SourceFile, Span
+from vrts.check.goals.over_time import reached_over_time
+from vrts.check.goals.reached import judged_at
+from vrts.check.task.task import Task
 from vrts.engine.memory.events import (
     Cause,
     Event,
@@ -108,3 +111,20 @@ def _line(event: Event, source: SourceFile | None) -> int:
 def _under_way(busy: list[tuple[float, float]], time_s: float) -> bool:
     at = bisect_right(busy, time_s, key=lambda motion: motion[0]) - 1
     return at >= 0 and time_s < busy[at][1]
+
+
+def goal_times(run: Run, task: Task | None) -> dict[str, object]:
+    """Return when goals are reached, as the picture beside the text of an editor takes it.
+
+    There is a row for each place that is drawn: a goal that may be reached in several ways has
+    several, which share its times [s].
+    """
+    if task is None:
+        return {}
+    spans = reached_over_time(run, task)
+    rows = [
+        {"title": goal.title, "spans": [[seconds(start), seconds(end)] for start, end in of_goal]}
+        for goal, of_goal in zip(task.goals, spans, strict=True)
+        for _ in goal.choices
+    ]
+    return {"reached": rows, "judged": seconds(judged_at(run, task))}

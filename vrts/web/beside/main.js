@@ -52,6 +52,9 @@ window.addEventListener("message", ({ data }) => {
   const act = OBEYED[data?.kind];
   if (act) going = going.then(() => act(data)).catch((problem) => say(`this cannot be shown: ${problem.message}`, true));
 });
+document.addEventListener("keydown", (event) => {
+  if (event.key === "Escape") editor.postMessage({ kind: "leave" }); // back to the text
+});
 editor.postMessage({ kind: "ready" });
 // For tests and for the curious.
 Object.assign(window, { vrts: { stage } });

@@ -7,9 +7,10 @@ import { Viewer } from "../viewer/viewer.js";
 import { bindControls, bindKeys, showPlaying } from "../report/controls.js";
 import { sampleTimes, speed, toolPath } from "../report/curves.js";
 import { Lanes, lanesOf } from "../report/lanes.js";
+import { showGoals } from "./goals.js";
 
 /** @typedef {{start: number, end: number, parts: string[], second: string, text: string, point: number[]}} Contact */
-/** @typedef {{scene: import("../viewer/viewer.js").SceneData, run: any, contacts: Contact[], grazes: Contact[], doubtful: Contact[], near: Contact[], clearance: [number, number][], moment: number | null}} Recording */
+/** @typedef {{scene: import("../viewer/viewer.js").SceneData, run: any, contacts: Contact[], grazes: Contact[], doubtful: Contact[], near: Contact[], clearance: [number, number][], moment: number | null} & import("./goals.js").Times} Recording */
 
 const byId = (/** @type {string} */ id) => /** @type {HTMLElement} */ (document.getElementById(id));
 const SAMPLES = 400; // of the speed in its lane
@@ -138,7 +139,9 @@ export class Stage {
     byId("clock").textContent = `${t.toFixed(3).padStart(7)} / ${replay.end.toFixed(1)} s`;
     this.lanes?.show(t);
     showPlaying(this.player);
-    showOverlay(touching, close, state.held);
+    const goals = showGoals(this.viewer, data, t);
+    if (goals.count) byId("goals-check").lastChild?.replaceWith(` goals ${goals.reached} of ${goals.count}`);
+    showOverlay(touching, close, state.held, goals.said);
     showStatus(state, speed(replay, t));
     if (!this.quiet) this.tell(t, replay.line(t));
   }
@@ -170,9 +173,9 @@ function mark(touching, scene) {
   };
 }
 
-/** @param {Contact[]} touching @param {Contact[]} close @param {string[]} held */
-function showOverlay(touching, close, held) {
-  const rows = [...touching.map((c) => ["bad", c.text]), ...close.map((c) => ["warn", c.text]), ...held.map((name) => ["", `holds ${name}`])];
+/** @param {Contact[]} touching @param {Contact[]} close @param {string[]} held @param {string[]} goals that are lost or missed */
+function showOverlay(touching, close, held, goals) {
+  const rows = [...goals.map((text) => ["bad", text]), ...touching.map((c) => ["bad", c.text]), ...close.map((c) => ["warn", c.text]), ...held.map((name) => ["", `holds ${name}`])];
   byId("overlay").replaceChildren(...rows.map(([kind, text]) => {
     const row = document.createElement("span");
     row.className = kind;
