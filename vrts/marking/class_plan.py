@@ -113,7 +113,9 @@ def plan_class(
         taken.as_found,
     )
     plan = plan._replace(key=structs.replace(plan.key, home=home))
-    return PlannedClass(plan, remarks, (*taken.warnings, *nothing_late(task.late, taken.rows)))
+    unknown = () if own is None else own.findings
+    late = nothing_late(task.late, taken.rows)
+    return PlannedClass(plan, remarks, (*unknown, *taken.warnings, *late))
 
 
 def planned_marker(key: Key, home: AtHome) -> Marker:

@@ -194,6 +194,7 @@ def mark_whole_class(
         tuple(done[row.identifier] for row in found),
         (*about_table, *taken.remarks),
         (
+            *(own.findings if own is not None else ()),
             *taken.warnings,
             *nothing_late(task.late, found),
             *said,

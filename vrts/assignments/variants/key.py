@@ -1,5 +1,10 @@
-"""The teacher's key: whoever has it can tell which variant a student gets."""
+"""The teacher's key: whoever has it can tell which variant a student gets.
 
+Lines behind the key tell for which assignments a record of what was handed out was written beside
+it, so that a copy of the key without the record is noticed.
+"""
+
+import hashlib
 import os
 import re
 import secrets
@@ -14,7 +19,8 @@ BAD_KEY = Rule("V868", "variants-key")
 NAME = "variants.key"  # beside the task: packed for nobody
 HANDED = ".handed.json"  # behind the name of a key: what was handed out by it
 PRIVATE = 0o600
-_TEXT = re.compile(rb"([0-9a-f]{64})\n?")
+LARGEST = 100_000  # bytes of the file
+_TEXT = re.compile(rb"([0-9a-f]{64})\n?|([0-9a-f]{64})\n(?:handed [0-9a-f]{16}\n)+")
 
 
 def place_of_key(task: Path) -> Path:
@@ -40,12 +46,41 @@ def key_of(path: Path) -> bytes:
             "name another place with `--key`",
         )
         raise CannotRead(f"there is no key of variants at `{path}`", hints)
-    found = _TEXT.fullmatch(b"" if path.is_symlink() else read_bytes(path))
+    found = _TEXT.fullmatch(b"" if path.is_symlink() else read_bytes(path)[:LARGEST])
     if found is None:
         headline = f"`{path}` is no key that vrts has written"
         remedy = "put the file back as it was: with another key every student has another variant"
         raise Refused((error(BAD_KEY, headline, help=(remedy,)),))
-    return bytes.fromhex(found[1].decode())
+    return bytes.fromhex((found[1] or found[2]).decode())
+
+
+def note_handed(path: Path, assignment: str) -> None:
+    """Write into the file of a key that a record of what was handed out stands beside it.
+
+    Raises:
+        CannotRead: The file cannot be written.
+    """
+    line, data = _line(assignment), read_bytes(path)
+    if line in data.splitlines():
+        return
+    begin = b"" if data.endswith(b"\n") else b"\n"
+    flags = os.O_WRONLY | os.O_APPEND | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_BINARY", 0)
+    try:
+        with open(os.open(path, flags), "ab") as file:
+            file.write(begin + line + b"\n")
+    except OSError as problem:
+        headline = f"`{path}` cannot be written: {problem.strerror}"
+        hints = ("let yourself write it: vrts notes in it that variants were handed out",)
+        raise CannotRead(headline, hints) from problem
+
+
+def was_handed(path: Path, assignment: str) -> bool:
+    """Return whether the file of a key tells that variants of an assignment were handed out."""
+    return _line(assignment) in read_bytes(path)[:LARGEST].splitlines()
+
+
+def _line(assignment: str) -> bytes:
+    return f"handed {hashlib.sha256(assignment.encode()).hexdigest()[:16]}".encode()
 
 
 def key_made(path: Path) -> tuple[bytes, bool]:

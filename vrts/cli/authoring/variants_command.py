@@ -72,12 +72,23 @@ def command(
     from vrts.assignments.packed import is_packed
     from vrts.assignments.task_check import check_task
     from vrts.assignments.task_folder import reference_of
-    from vrts.assignments.variants.key import key_made, place_of_handed, place_of_key
+    from vrts.assignments.variants.key import (
+        key_made,
+        note_handed,
+        place_of_handed,
+        place_of_key,
+    )
     from vrts.assignments.variants.of_task import load_varied
     from vrts.marking.intake.tables.roster import read_roster
     from vrts.marking.variants.class_list import class_list
     from vrts.marking.variants.hand_out import MOODLE, STUDENTS, TABLE, hand_out
-    from vrts.marking.variants.handed import changed, handed_bytes, read_handed, variants_of
+    from vrts.marking.variants.handed import (
+        changed,
+        handed_bytes,
+        read_handed,
+        record_gone,
+        variants_of,
+    )
     from vrts.pipeline.files import read_bytes
 
     if not task.exists():
@@ -100,6 +111,7 @@ def command(
         say(f"made the key {place}: keep a copy, and give it to no student")
     varied = varied.with_key(secret)
     was = read_handed(place, secret, varied.variants.assignment)
+    show_diagnostics(record_gone(place, varied.variants.assignment, was), color)
     given = variants_of(varied, members, secret, was)
     if given.gone:
         raise changed(given.gone, place)
@@ -121,6 +133,7 @@ def command(
         write_file(target / name, data)
     write_file(target / TABLE, handed.table, private=True)
     write_file(place_of_handed(place), record, private=True)
+    note_handed(place, varied.variants.assignment)
     if handed.moodle is not None:
         write_file(target / MOODLE, handed.moodle)
     count = len(handed.files)

@@ -13,9 +13,9 @@ from typing import Final, Literal, NamedTuple, TypeAlias
 
 import msgspec
 
-from vrts.assignments.variants.key import BAD_KEY, NAME, place_of_handed
+from vrts.assignments.variants.key import BAD_KEY, NAME, place_of_handed, was_handed
 from vrts.assignments.variants.of_task import VariedTask
-from vrts.base.diagnostic import error
+from vrts.base.diagnostic import Diagnostic, Rule, error, warning
 from vrts.check.variants.drawn import Variant
 from vrts.check.variants.model import Combination, Variants
 from vrts.marking.intake.row import Platform
@@ -24,6 +24,8 @@ from vrts.pipeline.files import read_bytes
 from vrts.pipeline.refused import Refused
 
 SCHEMA: Final = "vrts.handed/1"
+NO_RECORD: Final = Rule("V779", "handed-out-unknown")
+DRAWN_AGAIN: Final = "what was handed out is not beside the key, so variants were drawn again"
 NOT_HANDED: Final = "`vrts task variants` has handed out no variant to this student"
 
 
@@ -51,7 +53,14 @@ class Given(NamedTuple):
     gone: tuple[Member, ...]  # whose variant the task does not have any more
 
 
-def variants_of(varied: VariedTask, members: ClassList, key: bytes, handed: Students) -> Given:
+def variants_of(
+    varied: VariedTask,
+    members: ClassList,
+    key: bytes,
+    handed: Students,
+    *,
+    lost: bool = False,
+) -> Given:
     """Return the variant of everybody in a class: the one handed out, else the one drawn.
 
     Args:
@@ -59,6 +68,7 @@ def variants_of(varied: VariedTask, members: ClassList, key: bytes, handed: Stud
         members: The class.
         key: The teacher's.
         handed: What was handed out; nothing: nobody knows, and all are drawn.
+        lost: Whether something was handed out of which nothing is known.
 
     Raises:
         Refused: Hardly any combination is left for students.
@@ -77,9 +87,25 @@ def variants_of(varied: VariedTask, members: ClassList, key: bytes, handed: Stud
             gone.append(member)
             words = f"the variant `{was.tag}` was handed out, which `[variants]` does not have now"
             doubts[member.number] = f"{words}; marked by `{found[member.number].tag}`"
-        elif handed:
-            doubts[member.number] = NOT_HANDED
+        elif handed or lost:
+            doubts[member.number] = NOT_HANDED if handed else DRAWN_AGAIN
     return Given(found, doubts, tuple(gone))
+
+
+def record_gone(place: Path, assignment: str, handed: Students) -> tuple[Diagnostic, ...]:
+    """Return a warning where variants were handed out by a key, and nobody knows which.
+
+    Args:
+        place: Of the key.
+        assignment: Of the task.
+        handed: What is written beside the key.
+    """
+    if handed or not was_handed(place, assignment):
+        return ()
+    headline = f"variants were handed out by the key `{place}`, and the record of it is not here"
+    note = "variants are drawn again: somebody may get another one than was handed out"
+    help_ = f"copy the record beside the key: `{place_of_handed(place).name}`"
+    return (warning(NO_RECORD, headline, notes=(note,), help=(help_,)),)
 
 
 def check_some_left(given: Given, key: Path) -> None:

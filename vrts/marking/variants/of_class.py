@@ -16,7 +16,13 @@ from vrts.marking.submission.marker import Marker
 from vrts.marking.submission.one import Wanted
 from vrts.marking.submission.setting import Place
 from vrts.marking.variants.class_list import ClassList, Member, class_list
-from vrts.marking.variants.handed import Students, check_some_left, read_handed, variants_of
+from vrts.marking.variants.handed import (
+    Students,
+    check_some_left,
+    read_handed,
+    record_gone,
+    variants_of,
+)
 from vrts.marking.variants.marker import VariantsMarker
 from vrts.pipeline.files import STAFF, CannotRead, read_bytes
 
@@ -51,8 +57,10 @@ class MarkerOfClass(VariantsMarker):
         secret = key_of(key)
         self.varied: VariedTask = load_varied(Path(place.task)).with_key(secret)
         self.members = members
-        was = read_handed(key, secret, self.varied.variants.assignment) if handed else Students()
-        given = variants_of(self.varied, members, secret, was)
+        assignment = self.varied.variants.assignment
+        was = read_handed(key, secret, assignment) if handed else Students()
+        self.findings = record_gone(key, assignment, was) if handed else ()
+        given = variants_of(self.varied, members, secret, was, lost=bool(self.findings))
         check_some_left(given, key)
         self._doubted = given.doubts
         self._whose = {number: variant.tag for number, variant in given.variants.items()}

@@ -137,6 +137,10 @@ def test_other_machines_mark_each_by_the_own_variant(home: Home, marked: Layout)
     folder = marked.root.parent
     words = (home.lab, home.download, "--roster", home.roster, "--no-pages", "--shards", 2)
     assert call("grade", "plan", *words, "-o", folder / "plan").exit_code == 0
+    alone = shutil.copy(home.lab / NAME, folder / "copied.key")  # without the record beside it
+    told = call("grade", "plan", *words, "--key", alone, "-o", folder / "unknown")
+    assert "V779" in told.output
+    assert "`copied.key.handed.json`" in told.output
     for shard in sorted((folder / "plan" / "shards").iterdir()):
         assert call("grade", "run", shard, "-o", folder / "results").exit_code == 0
     told = call("grade", "merge", folder / "plan", folder / "results", "-o", folder / "merged")

@@ -12,7 +12,7 @@ from click.testing import CliRunner
 
 from tests.places import ROOT
 from tests.support_rows import plain_row
-from vrts.assignments.variants.key import NAME, key_of, place_of_handed
+from vrts.assignments.variants.key import NAME, key_of, note_handed, place_of_handed
 from vrts.assignments.variants.of_task import VariedTask, load_varied
 from vrts.check.variants.model import Without
 from vrts.cli.main import vrts
@@ -28,11 +28,13 @@ from vrts.marking.variants.class_list import ClassList, Member
 from vrts.marking.variants.doubts import doubts_of
 from vrts.marking.variants.hand_out import hand_out
 from vrts.marking.variants.handed import (
+    DRAWN_AGAIN,
     NOT_HANDED,
     Students,
     check_some_left,
     handed_bytes,
     read_handed,
+    record_gone,
     variants_of,
 )
 from vrts.marking.variants.of_class import MarkerOfClass
@@ -151,6 +153,35 @@ def marker_of(lab: Path, *numbers: str) -> MarkerOfClass:
 
 def row(number: str) -> Row:
     return Row(f"s{number}", Student("", ids={"moodle": number}), "a.v2", "")
+
+
+def test_a_key_without_its_record_is_told_and_makes_every_mark_doubtful(
+    varied: VariedTask, lab: Path, tmp_path: Path
+) -> None:
+    who, name = members("1", "2"), varied.variants.assignment
+    place, copy = tmp_path / NAME, tmp_path / "copy" / "lab.key"
+    copy.parent.mkdir()
+    for text in (KEY.hex(), f"{KEY.hex()}\n"):  # keys of an earlier vrts tell nothing
+        place.write_text(text)
+        assert record_gone(place, name, {}) == ()
+        note_handed(place, name)
+        note_handed(place, name)
+        assert place.read_text().startswith(f"{KEY.hex()}\nhanded ")
+        assert len(place.read_text().splitlines()) == 2
+        assert key_of(place) == KEY
+    handed = written(varied, place, who)
+    assert record_gone(place, name, handed) == ()
+    assert record_gone(place, "another", {}) == ()
+    shutil.copy(place, copy)
+    marker = MarkerOfClass(Place(str(lab)), Wanted(pages=False), who, copy)
+    (found,) = marker.findings
+    assert found.rule.code == "V779"
+    assert "`lab.key.handed.json`" in found.help[0]
+    marker.assign([row("1"), row("2")], tmp_path / "variants")
+    assert marker.doubtful == {"s1": DRAWN_AGAIN, "s2": DRAWN_AGAIN}
+    shutil.copy(place_of_handed(place), place_of_handed(copy))
+    marker = MarkerOfClass(Place(str(lab)), Wanted(pages=False), who, copy)
+    assert (marker.findings, marker.doubtful) == ((), {})
 
 
 def test_marking_some_again_leaves_what_the_others_were_marked_by(
