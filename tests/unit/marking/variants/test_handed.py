@@ -174,7 +174,7 @@ def test_a_key_without_its_record_is_told_and_makes_every_mark_doubtful(
     assert record_gone(place, "another", {}) == ()
     shutil.copy(place, copy)
     marker = MarkerOfClass(Place(str(lab)), Wanted(pages=False), who, copy)
-    (found,) = marker.findings
+    [found] = [*marker.findings]
     assert found.rule.code == "V779"
     assert "`lab.key.handed.json`" in found.help[0]
     marker.assign([row("1"), row("2")], tmp_path / "variants")
