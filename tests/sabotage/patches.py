@@ -2011,6 +2011,13 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/debug/editing/test_keeping.py",),
     ),
     Patch(
+        "debug: the value that would do is told of any line",
+        "vrts/debug/editing/would.py",
+        "change.does in _LITERALS and all(edit.span.line in lines for",
+        "change.does in _LITERALS and all(edit.span.line for",
+        ("tests/unit/debug/editing/test_would.py",),
+    ),
+    Patch(
         "debug: who wants no answer is not heard before a fork",
         "vrts/debug/conditions/expression.py",
         "            hear()\n",

@@ -2,7 +2,7 @@
 
 import gc
 import math
-from collections.abc import Generator
+from collections.abc import Callable, Generator
 from contextlib import contextmanager
 from fractions import Fraction
 from heapq import heapify, heappop, heappush
@@ -72,16 +72,25 @@ def settled() -> Generator[None]:
 
 @settled()
 def search(
-    place: Place, source: SourceFile, run: Run, judgement: Judgement, grade: Grade, budget: Budget
+    place: Place,
+    source: SourceFile,
+    run: Run,
+    judgement: Judgement,
+    grade: Grade,
+    budget: Budget,
+    only: Callable[[Candidate], bool] | None = None,
 ) -> Search:
-    """Return changes of a program that earn the full mark: one at a time, else two."""
+    """Return changes of a program that earn the full mark: one at a time, else two.
+
+    `only` says which changes are asked about: of these none are joined to two.
+    """
     memory = Memory()
-    level = _Level(place, source, (run, judgement, grade), memory, budget)
+    level = _Level(place, source, (run, judgement, grade), memory, budget, only)
     level.go(min(budget.alone, budget.executions))
     count = 0
     good = 0  # helpers looked at since one was good, that one too
     two: list[Repair] = []
-    for most in (budget.one, 0):
+    for most in (budget.one, 0) if only is None else ():
         helpers = [] if level.found else level.helping(budget.helpers, budget.again)
         if most and not level.found:
             helpers = [*level.surely(), *helpers]
@@ -131,6 +140,7 @@ class _Level:
         judged: tuple[Run, Judgement, Grade],
         memory: Memory,
         budget: Budget,
+        only: Callable[[Candidate], bool] | None = None,
     ) -> None:
         self.place, self.source, self.memory, self.budget = place, source, memory, budget
         dialect = place.options.dialect or VAL2
@@ -138,7 +148,7 @@ class _Level:
         run, judgement, grade = judged
         self.blamed = blame(run, place.task, judgement, grade)
         self._asked = Asked(written, place.scene, place.task, self.blamed, dialect)
-        self._queue = _Queue(candidates(self._asked))
+        self._queue = _Queue([c for c in candidates(self._asked) if only is None or only(c)])
         self._base = tried(place, source.text, memory).come
         self._shared = shared(place, source.text, memory)
         self._touches = known_touches(run, judgement.collisions)

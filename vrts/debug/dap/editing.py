@@ -11,6 +11,7 @@ from vrts.debug.dap.session import Answer, Event, Json, Session
 from vrts.debug.editing import futures
 from vrts.debug.editing.keeping import Kept, kept
 from vrts.debug.editing.text import take_up
+from vrts.debug.editing.would import would
 from vrts.debug.scripted.changing import DEEDS
 from vrts.debug.scripted.commander import carry_out
 from vrts.debug.scripted.session import Session as Commands
@@ -84,6 +85,13 @@ def _keep(session: Session, a: Fields) -> Answer:
     return Answer({"name": found.name, "diff": found.diff, "edits": _edits(found)})
 
 
+def _would(session: Session, a: Fields) -> Answer:
+    """Return which value of a variable, or of a line, would earn the full mark."""
+    line = a.whole("line", 0)
+    asked = str(line) if line else a.text("name")
+    return Answer({"said": "\n".join(would(session.console, session.debugger, asked))})
+
+
 def _edits(found: Kept) -> list[Json]:
     """Return edits as an editor takes them: lines and columns from 1."""
     source = found.source
@@ -121,4 +129,5 @@ EDITING: Mapping[str, Callable[[Session, Fields], Answer]] = {
     "vrts/name": _name,
     "vrts/compare": _compare,
     "vrts/keep": _keep,
+    "vrts/would": _would,
 }

@@ -68,6 +68,17 @@ def take_up(console: Console, debugger: Debugger, sent: Mapping[str, str] | None
     return f"{words}: {told}"
 
 
+def request_of(console: Console, debugger: Debugger) -> Request:
+    """Return a request about the text of the present future.
+
+    Raises:
+        CannotTell: It is a saved run.
+    """
+    if console.request is None:
+        raise CannotTell(NO_TEXT)
+    return _with_texts(console.request, debugger, {})
+
+
 def sources_of(debugger: Debugger) -> tuple[SourceFile, ...]:
     """Return the texts of the programs that the present run executes."""
     programs = debugger.run.module.programs.values()

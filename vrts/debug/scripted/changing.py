@@ -6,6 +6,7 @@ from vrts.debug.breakpoints import resolve
 from vrts.debug.editing import futures
 from vrts.debug.editing.keeping import kept, write_back
 from vrts.debug.editing.text import take_up
+from vrts.debug.editing.would import would
 from vrts.debug.scripted.places import current
 from vrts.debug.scripted.session import Deed, Done, Refusal, Session, nothing
 from vrts.ir.commands import Answer, GoTo
@@ -90,6 +91,10 @@ def _keep(session: Session, rest: str, done: Done) -> None:
     done.moved = True
 
 
+def _would(session: Session, rest: str, done: Done) -> None:
+    done.said += would(session.console, session.debugger, rest)
+
+
 def _changed(refused: list[str]) -> None:
     if refused:
         raise Refusal(" ".join(refused))
@@ -107,4 +112,5 @@ DEEDS: dict[str, Deed] = {
     "name": _name,
     "compare": _compare,
     "keep": _keep,
+    "would": _would,
 }

@@ -73,6 +73,12 @@ COMMANDS = (
         "shows the literal that a value set by hand is written back to; `yes` writes it",
         CHANGE,
     ),
+    Entry(
+        "would",
+        "NAME|LINE",
+        "the value there that would earn the full mark, as far as the task allows hints",
+        CHANGE,
+    ),
     Entry("compare", "A B", "two futures: mark, clearance, time, lost points", CHANGE),
 )
 BY_WORD = {entry.word: entry for entry in COMMANDS}

@@ -1,5 +1,6 @@
 """A program that does the wrong thing, and the smallest changes that would earn the full mark."""
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 from vrts.check.rules.hints import Hints
@@ -8,6 +9,7 @@ from vrts.pipeline.assess import assess
 from vrts.pipeline.execution import compiled_for
 from vrts.pipeline.request import Request
 from vrts.pipeline.setting import scenario_of
+from vrts.repair.edit import Candidate
 from vrts.repair.ranking import Repair, implausible, standing_out
 from vrts.repair.search import Budget, search
 from vrts.repair.trying.reach import Reach, reach
@@ -33,6 +35,7 @@ def mended(
     *,
     reaching: bool = False,
     hints: Hints | None = None,
+    only: Callable[[Candidate], bool] | None = None,
 ) -> Mended:
     """Return what would mend a program that compiles and loses points in its task.
 
@@ -41,6 +44,7 @@ def mended(
         budget: How much is executed.
         reaching: Whether to look how far a number may go, where one stands out.
         hints: What may be told, whatever the task allows: of those who mark. None: as it says.
+        only: Which changes are asked about; None: all.
     """
     compiled = compiled_for(request)
     found = assess(request, compiled)
@@ -65,7 +69,7 @@ def mended(
         request.program.name,
         request.entry or (task.program and task.program.lower()),
     )
-    result = search(place, found.source, run, judgement, grade, budget or Budget())
+    result = search(place, found.source, run, judgement, grade, budget or Budget(), only)
     best = standing_out(result.repairs) if reaching else None
     far = None
     if best is not None and task.hints >= Hints.NUMBER:
