@@ -14,7 +14,7 @@ from vrts.cli.editors.editor_command import command
 
 BAD = ".PROGRAM main()\n MOVEE safe\n.END\n"
 NVIM, EMACS = shutil.which("nvim"), shutil.which("emacs")
-SECONDS = 60
+SECONDS = 150
 
 
 def printed(editor: str) -> str:
@@ -44,6 +44,43 @@ def test_the_language_takes_three_lines_which_the_manual_shows(editor: str) -> N
     assert len(lines) == 3
     page = (ROOT / "vrts" / "manual" / "learn" / "editors.md").read_text()
     assert all(line in page for line in lines)
+
+
+ONE_SERVER = """
+local ok, why = pcall(function()
+local bad = function(buffer) return #vim.diagnostic.get(buffer) > 0 end
+vim.cmd("edit b.v2")
+local first, second = vim.fn.bufnr("a.v2"), vim.fn.bufnr("b.v2")
+vim.wait(60000, function() return bad(first) and bad(second) end, 50)
+local clients = vim.lsp.get_active_clients()
+local uri = vim.uri_from_bufnr(second)
+local asked = { command = "vrts.run", arguments = { uri, "other" } }
+local answers = vim.lsp.buf_request_sync(0, "workspace/executeCommand", asked, 60000)
+local text = answers[clients[1].id].result.text
+vim.lsp.stop_client(clients[1].id)
+vim.wait(10000, function() return vim.lsp.client_is_stopped(clients[1].id) end, 20)
+vim.cmd("edit c.v2")
+vim.wait(10000, function() return #vim.lsp.get_active_clients() > 0 end, 20)
+local again = vim.lsp.get_active_clients()[1].id ~= clients[1].id
+io.stdout:write(#clients .. " server, " .. text .. " another: " .. tostring(again))
+end)
+if not ok then io.stdout:write(tostring(why)) end
+vim.cmd("qa!")
+"""
+
+
+@pytest.mark.skipif(NVIM is None, reason="needs Neovim")
+def test_neovim_has_one_server_for_all_buffers_and_runs_a_program_by_it(tmp_path: Path) -> None:
+    assert NVIM is not None
+    (tmp_path / "init.lua").write_text(printed("neovim"))
+    (tmp_path / "session.lua").write_text(ONE_SERVER)
+    (tmp_path / "a.v2").write_text(BAD)
+    other = '.PROGRAM main()\n MOVE safe\n.END\n.PROGRAM other()\n TYPE "turned"\n.END\n'
+    (tmp_path / "b.v2").write_text(other)
+    words = [NVIM, "--headless", "-u", "init.lua", "a.v2", "-c", "luafile session.lua"]
+    said = run(words, tmp_path)
+    assert "1 server, turned" in said
+    assert "another: true" in said
 
 
 @pytest.mark.skipif(NVIM is None, reason="needs Neovim")

@@ -76,11 +76,18 @@ class Heard:
 
 
 async def begun(
-    text: str = TEXT, able: dict[str, Any] | None = None, *, uri: str = URI, runs: bool = False
+    text: str = TEXT,
+    able: dict[str, Any] | None = None,
+    *,
+    uri: str = URI,
+    runs: bool = False,
+    options: Any = None,
 ) -> Heard:
     """Return a session in which a buffer is open."""
     heard = Heard(session_with_features(runs=runs))
-    asked = {"processId": None, "rootUri": None, "capabilities": able or {}}
+    asked: dict[str, Any] = {"processId": None, "rootUri": None, "capabilities": able or {}}
+    if options is not None:
+        asked["initializationOptions"] = options
     found = await heard.ask("initialize", asked)
     assert "result" in found
     heard.tell("initialized", {})

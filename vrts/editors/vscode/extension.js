@@ -140,7 +140,7 @@ exports.activate = async function activate(/** @type {any} */ context) {
     vscode.debug.registerDebugConfigurationProvider("vrts", configurations),
     vscode.languages.registerInlineValuesProvider({ language: LANGUAGE }, inlineValues),
     vscode.commands.registerCommand("vrts.run", (file, entry) => inTerminal("run", file, entry)),
-    vscode.commands.registerCommand("vrts.verify", (file) => inTerminal("verify", file, undefined)),
+    vscode.commands.registerCommand("vrts.verify", (file, entry) => inTerminal("verify", file, entry)),
     vscode.commands.registerCommand("vrts.debug", debug),
     vscode.commands.registerCommand("vrts.showArm", showArm),
     vscode.commands.registerCommand("vrts.tickBack", () => tick(-1)),
@@ -148,7 +148,8 @@ exports.activate = async function activate(/** @type {any} */ context) {
   );
   const server = { command: command(), args: ["lsp"] };
   const documents = [{ language: LANGUAGE, scheme: "file" }, { language: LANGUAGE, scheme: "untitled" }];
-  client = new LanguageClient("vrts", "VAL-II", server, { documentSelector: documents });
+  const initializationOptions = { commands: ["vrts.run", "vrts.verify", "vrts.debug"] }; // of the editor's own
+  client = new LanguageClient("vrts", "VAL-II", server, { documentSelector: documents, initializationOptions });
   client.onNotification("vrts/shown", (/** @type {any} */ told) => {
     status.told(told);
     if (beside && told.shown && String(beside.uri) === String(vscode.Uri.parse(told.uri))) void beside.refresh();

@@ -5,6 +5,7 @@ from typing import NamedTuple
 from vrts.lsp.documents.documents import Document
 
 RUN, DEBUG, VERIFY = "vrts.run", "vrts.debug", "vrts.verify"  # commands of the editor
+COMMANDS = (RUN, VERIFY, DEBUG)
 
 
 class Lens(NamedTuple):
@@ -20,13 +21,10 @@ class Lens(NamedTuple):
 def lenses(document: Document) -> list[Lens]:
     """Return the commands of the programs that can be executed: those without formals."""
     found: list[Lens] = []
-    main = document.names.entry
     for program in document.names.programs:
         if not program.name or program.formals:
             continue
-        commands = [("run", RUN), ("debug", DEBUG)]
-        if program.name == main:
-            commands.append(("verify", VERIFY))  # of the file
+        commands = [("run", RUN), ("debug", DEBUG), ("verify", VERIFY)]
         place = (program.name_start, program.name_end)
         found += [Lens(*place, title, command, program.name) for title, command in commands]
     return found

@@ -8,7 +8,7 @@ from vrts.lang.vocabulary.functions import CONSTANTS
 from vrts.lang.vocabulary.lookup import reserved_words
 from vrts.lsp.answers.finding import Found, references
 from vrts.lsp.documents.documents import Document
-from vrts.lsp.documents.names import Occurrence, Target
+from vrts.lsp.documents.names import Names, Occurrence, Target
 from vrts.lsp.documents.uses import Kind
 
 _NAME = re.compile(r"[$#]?\.?[A-Za-z][\w.]*", re.ASCII)
@@ -78,15 +78,37 @@ def _check_name(new: str, document: Document, target: Target, group: Sequence[Do
     wanted = key(new)
     if wanted == target.name:
         return
-    for other in group:
-        for known in other.names.by_target:
-            if known.name == wanted and known.family == target.family and _meet(known, target):
-                raise CannotRename(f"there is a {target.family} `{new}` already")
+    for other in group[:1] if target.program else group:
+        _check_free(other, target, wanted, new)
 
 
-def _meet(known: Target, target: Target) -> bool:
-    """Return whether two names could be taken for one another: in one program, or both shared."""
-    return not known.program or not target.program or known.program == target.program
+def _check_free(document: Document, target: Target, wanted: str, new: str) -> None:
+    """Refuse a name that would then be taken for another: of the same program, or both shared."""
+    names = document.names
+    if target.program:  # only what that program itself uses can be meant there
+        for known, found in names.by_target.items():
+            if known.name != wanted or known.family != target.family or known == target:
+                continue
+            if known.program == target.program:
+                what = f"`{target.program}` has a variable `{new}` of its own already"
+                raise CannotRename(what)
+            if not known.program and any(_within(names, o) == target.program for o in found):
+                what = f"`{target.program}` uses the shared `{new}`, which it could not reach then"
+                raise CannotRename(what)
+        return
+    for known in names.by_target:
+        if known.name != wanted or known.family != target.family or known == target:
+            continue
+        if not known.program:
+            raise CannotRename(f"there is a {target.family} `{new}` already")
+        if any(_within(names, o) == known.program for o in names.by_target.get(target, ())):
+            what = f"`{known.program}` uses it, and has a variable `{new}` of its own already"
+            raise CannotRename(what)
+
+
+def _within(names: Names, occurrence: Occurrence) -> str | None:
+    program = names.program_at(occurrence.start)
+    return None if program is None else program.name
 
 
 def _sigil(name: str) -> str:

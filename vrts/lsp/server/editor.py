@@ -17,6 +17,8 @@ def register(session: Session) -> None:
 
     @session.feature(types.INITIALIZE)
     def begins(server: Session, params: types.InitializeParams) -> None:
+        for offer in server.offers:
+            offer(params)
         number = params.process_id
         if number is None:
             return

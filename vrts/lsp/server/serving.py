@@ -14,6 +14,7 @@ from typing import BinaryIO, cast
 from vrts.base.stack import DEPTH
 from vrts.lsp.server import (
     colours,
+    commanding,
     editor,
     helping,
     mending,
@@ -123,7 +124,18 @@ def session_with_features(*, runs: bool = True) -> Session:
     logging.getLogger("pygls").addHandler(logging.NullHandler())  # refusals are no tracebacks
     logging.getLogger("pygls").propagate = False
     session = Session(runs=runs)
-    rooms = (editor, syncing, outlining, helping, referring, colours, mending, running, showing)
+    rooms = (
+        editor,
+        syncing,
+        outlining,
+        helping,
+        referring,
+        colours,
+        mending,
+        running,
+        commanding,
+        showing,
+    )
     for features in rooms:
         features.register(session)
     return session

@@ -21,6 +21,7 @@ from vrts.lsp.documents.documents import Document, Documents
 from vrts.lsp.documents.linking import group
 from vrts.lsp.documents.setting_files import setting_stamp
 from vrts.lsp.server.background.mending import Mending
+from vrts.lsp.server.background.ordering import Orders
 from vrts.lsp.server.background.reaching import Reaching
 from vrts.lsp.server.background.reading import Reading
 from vrts.lsp.server.background.verifying import Subject, Verifications
@@ -52,6 +53,10 @@ class Session(LanguageServer):
         self.reaching = Reaching()
         self.mending = Mending()
         self.scenarios = Scenarios()
+        self.orders = Orders()
+        self.latest: str | None = None  # the buffer that was opened or changed last
+        self.offers: list[Callable[[types.InitializeParams], None]] = []  # told how a client begins
+        self.commands_to_register: list[str] = []
         self.verifications = Verifications(_background, self._learned)
         self._worker = ThreadPoolExecutor(1, "check")  # one: answers come first
         self.told_beside: Callable[[Document], None] | None = None  # who shows more beside the text
@@ -76,7 +81,7 @@ class Session(LanguageServer):
         path = path_of(uri)
         if path not in self._uris:
             self.reading.begin(os.path.dirname(path))
-        self._uris[path] = uri
+        self._uris[path] = self.latest = uri
         self.documents.put(path, self.workspace.get_text_document(uri).source)
         self._check_folder(os.path.dirname(path))
 
@@ -85,6 +90,8 @@ class Session(LanguageServer):
         path = path_of(uri)
         self.documents.close(path)
         self._uris.pop(path, None)
+        if self.latest == uri:
+            self.latest = next(reversed(self._uris.values()), None)
         self._found.pop(path, None)
         self.verifications.forget(path)
         task = self._checks.pop(path, None)
@@ -221,6 +228,7 @@ class Session(LanguageServer):
         self.reaching.stop()
         self.mending.stop()
         self.scenarios.stop()
+        self.orders.stop()
         for task in (*self._checks.values(), self._watch):
             if task is not None:
                 task.cancel()

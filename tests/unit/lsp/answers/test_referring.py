@@ -1,5 +1,6 @@
 """Definition, references and rename, in one file and across a folder."""
 
+import re
 from pathlib import Path
 from typing import Any
 
@@ -8,7 +9,8 @@ import pytest
 from tests.support_lsp import Client, where
 from tests.unit.lsp.cursor import at
 from vrts.base.source import SourceFile
-from vrts.lang.compiler import compile_source
+from vrts.ir.dump import dump
+from vrts.lang.compiler import Options, compile_source
 from vrts.lsp.answers.finding import Found, definition, references
 from vrts.lsp.answers.renaming import CannotRename, renamable, rename
 from vrts.lsp.documents.documents import Document
@@ -96,13 +98,69 @@ def test_a_renamed_program_means_the_same(piece: str, new: str, places: int) -> 
     assert new in text
 
 
+LOCALS = """.PROGRAM main(n, $how, part)
+        AUTO i, j, p, $s
+        FOR i = 1 TO n
+            j = i+ABS(j)
+            SET p = part:TRANS(j, i)
+            MOVE SHIFT(p BY i, j, n)
+            TYPE $how, i, $s
+        END
+        CALL other(i, $s, p)
+        count = j
+.END
+.PROGRAM other(i, $s, p)
+        AUTO n
+        n = i+count
+        TYPE $s, n
+        MOVE p
+.END
+"""
+
+
+def renamed(text: str, offset: int, new: str) -> str:
+    document = Document("/c/a.v2", text)
+    for _, o in sorted(
+        rename(document, offset, new, [document]), key=lambda f: -f.occurrence.start
+    ):
+        text = text[: o.start] + new + text[o.end :]
+    return text
+
+
+def test_a_local_has_another_name_and_back_and_nothing_else_changes() -> None:
+    names = Document("/c/a.v2", LOCALS).names
+    before = compile_source(SourceFile("a.v2", LOCALS), Options())
+    assert before.module is not None, before.diagnostics
+    locals_ = [t for t in names.by_target if t.family == "variable" and t.program]
+    assert len(locals_) == 11
+    for target in locals_:
+        offset = names.by_target[target][0].start
+        sign = target.name[0] if target.name[0] in "$#" else ""
+        new = f"{sign}zebra"
+        text = renamed(LOCALS, offset, new)
+        assert text.count("zebra") == len(names.by_target[target])
+        after = compile_source(SourceFile("a.v2", text), Options())
+        assert after.module is not None
+        plain = [named(dump(one.module), target.name) for one in (before, after) if one.module]
+        assert plain[0] == plain[1], target
+        assert renamed(text, text.index("zebra") - len(sign), target.name) == LOCALS
+
+
+def named(text: str, name: str) -> str:
+    """Return a program with one name for two."""
+    bare = re.escape(name.lstrip("$#"))
+    return re.sub(rf"\b({bare}|zebra)\b", "one", text)
+
+
 @pytest.mark.parametrize(
     ("piece", "new", "why"),
     [
         ("MOVES pa|rt", "2fast", "is not a name"),
         ("MOVES pa|rt", "$text", "has no `$` or `#`"),
         ("MOVES pa|rt", "count", "there is a variable `count` already"),
-        ("MOVES pa|rt", "n", "there is a variable `n` already"),
+        ("MOVES pa|rt", "n", "`main` uses it, and has a variable `n` of its own already"),
+        ("count = |n\n", "part", "`main` uses the shared `part`, which it could not reach then"),
+        ("count = |n\n", "count", "`main` uses the shared `count`"),
         ("MOVES pa|rt", "MOVE", "a word of the language"),
         ("MOVES pa|rt", "a_name_that_is_far_too_long", "15 characters"),
         ("CALL pla|ce", "main", "there is a program `main` already"),

@@ -46,6 +46,7 @@ def test_programs_that_can_be_executed_have_lenses() -> None:
         ("verify", "vrts.verify", "main"),
         ("run", "vrts.run", "other"),
         ("debug", "vrts.debug", "other"),
+        ("verify", "vrts.verify", "other"),
     ]
 
 

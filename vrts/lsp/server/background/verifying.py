@@ -151,9 +151,14 @@ class Verifications:
 
 def ask(process: subprocess.Popen[bytes], asked: Asked) -> None:
     """Write to a process what it is asked; waits where its pipe is full."""
+    write_to(process, line_of(asked))
+
+
+def write_to(process: subprocess.Popen[bytes], line: bytes) -> None:
+    """Write a line to a process; waits where its pipe is full."""
     assert process.stdin is not None
     with suppress(BrokenPipeError):  # its answers have ended then too
-        process.stdin.write(line_of(asked))
+        process.stdin.write(line)
         process.stdin.flush()
 
 

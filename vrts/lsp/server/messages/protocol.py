@@ -8,9 +8,9 @@ import asyncio
 import contextvars
 import json
 import traceback
-from collections.abc import Callable, Generator, Mapping
+from collections.abc import Awaitable, Callable, Generator, Mapping
 from concurrent.futures import Future
-from typing import Any, cast
+from typing import Any, TypeAlias, cast
 from urllib.parse import unquote
 
 from cattrs import transform_error
@@ -31,6 +31,7 @@ from vrts.lsp.server.messages.parameters import misfit
 from vrts.lsp.server.messages.stream import Broken
 
 MOST_TOLD = 300  # letters of what is wrong
+Command: TypeAlias = Callable[[types.ExecuteCommandParams], Awaitable[Any]]
 _LISTENED = frozenset({types.SET_TRACE, types.CANCEL_REQUEST, types.PROGRESS})
 
 
@@ -41,6 +42,7 @@ class Protocol(LanguageServerProtocol):
         """Begin with a client that has said nothing yet."""
         super().__init__(*args)  # pyright: ignore[reportUnknownMemberType]
         self.is_begun = False  # `initialize` was answered
+        self.commands: dict[str, Command] = {}  # by their names: who carries them out
         self.status: int | None = None  # to exit with, once the client has said `exit`
 
     @property
@@ -169,6 +171,12 @@ class Protocol(LanguageServerProtocol):
             return
         self._handle_response(asked, found)
 
+    def _handle_cancel_notification(self, msg_id: Any) -> None:
+        """Cancel a request; one that has been answered meanwhile is no matter."""
+        future = self._request_futures.pop(msg_id, None)
+        if future is not None:
+            future.cancel()
+
     # --- answers --------------------------------------------------------------------------------
 
     def _send_handler_result(self, future: Future[Any], *, msg_id: int | str) -> None:
@@ -236,6 +244,18 @@ class Protocol(LanguageServerProtocol):
         self.need_open(types.TEXT_DOCUMENT_DID_CHANGE, params.text_document.uri)
         change: Callable[..., Generator[Any, Any, None]] = super().lsp_text_document__did_change
         yield from change(params)
+
+    @lsp_method(types.WORKSPACE_EXECUTE_COMMAND)
+    async def lsp_workspace__execute_command(  # pyright: ignore[reportIncompatibleMethodOverride]
+        self, params: types.ExecuteCommandParams
+    ) -> Any:
+        """Carry out a command; cancelling the request cancels it."""
+        command = self.commands.get(params.command)
+        if command is None:
+            listed = ", ".join(self.commands) or "none"
+            told = params.command[:MOST_TOLD]
+            raise JsonRpcInvalidParams(f"there is no command `{told}` here; there are: {listed}")
+        return await command(params)
 
     def need_open(self, method: str, uri: str) -> None:
         """Refuse what is about a buffer that is not open.
