@@ -12,8 +12,16 @@ from typing import NamedTuple
 from tests.support_commands import vrts_text
 from tests.support_likeness.classes import Class
 from tests.support_likeness.judging import Group, groups_in
+from tests.support_likeness.marking import setting_of
 from tests.support_likeness.scenes import JOBS, folder
 from tests.support_likeness.students.years import YEARS
+from vrts.marking.similarity.features.extract import Program
+from vrts.marking.similarity.files import given
+from vrts.marking.similarity.likeness import likeness
+from vrts.marking.submission.sketch import sketch
+from vrts.pipeline.assess import assess
+from vrts.pipeline.compiling.reading import ProgramFile
+from vrts.pipeline.request import NO_CHECKS, Request
 
 
 class Alike(NamedTuple):
@@ -59,6 +67,23 @@ def graded(
     assert found.returncode == 0, found.stderr[-2000:]
     wall_s, processor_s = measured(call) if again else (0.0, 0.0)
     return Alike(groups_in(where / "out" / "staff" / "similarity.json"), wall_s, processor_s)
+
+
+def compared(whole: Class) -> list[Group]:
+    """Return what is alike in a class, as `vrts grade` finds it, in this process and unmarked."""
+    task = folder(JOBS[whole.job])
+    setting = setting_of(str(task))
+    programs: dict[str, Program] = {}
+    for name, text in whole.texts.items():
+        file = ProgramFile(text.encode(), f"{name}.v2")
+        found = assess(Request(file, setting, checks=NO_CHECKS))
+        if found.run is None or found.scene is None:
+            programs[name] = Program(file.data)
+        else:
+            programs[name] = Program(file.data, sketch(found.run, found.scene))
+    beside = (*given(task, setting), YEARS[whole.year - 1].text.encode())
+    groups = likeness(programs, beside, jobs=1).groups
+    return [Group(frozenset(one.members), one.score, one.strength) for one in groups]
 
 
 def measured(call: list[object]) -> tuple[float, float]:

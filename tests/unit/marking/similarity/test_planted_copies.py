@@ -1,14 +1,13 @@
-"""Copies in a class of synthetic students are found by `vrts grade`, and few others shown first.
+"""Copies in a class of synthetic students are found, and few others shown first.
 
-How good this is in classes of 300 is measured by `tests/bench/test_bench_likeness.py`.
+`compared` does what `vrts grade` does, without marks and without a process for each. How good
+this is in classes of 300 is measured by `tests/bench/test_bench_likeness.py`.
 """
-
-from pathlib import Path
 
 import pytest
 
 from tests.support_likeness.classes import honest, with_copies
-from tests.support_likeness.grading import graded
+from tests.support_likeness.grading import compared
 from tests.support_likeness.judging import Group, placed, ranks, told
 from tests.support_likeness.marking import mark
 from tests.support_likeness.scenes import CANS
@@ -18,28 +17,24 @@ INNOCENT = 2  # groups above them: those who build on the lesson's own lines are
 
 
 @pytest.mark.thorough
-def test_copies_stand_first(tmp_path: Path) -> None:
-    whole = with_copies(honest("cans", 1, 40, "thorough"), KINDS, "thorough")
+def test_copies_stand_first() -> None:
+    whole = with_copies(honest("cans", 1, 40, "c"), KINDS, "c")
     assert [one.kind for one in whole.planted] == list(KINDS)
     for one in whole.planted:
         source, copy = (mark(whole.students[name].text, CANS).points for name in one.members)
         assert abs(source - copy) <= 1.0
-    found = graded(whole, tmp_path, (), "--no-collisions")
-    places = placed(whole.planted, found.groups)
+    places = placed(whole.planted, compared(whole))
     assert len(ranks(places)) == len(KINDS), told(places)
     assert max(one.above for one in places) <= INNOCENT, told(places)
 
 
 @pytest.mark.thorough
-def test_a_copy_in_every_disguise_at_once_stands_before_all_innocent_groups(
-    tmp_path: Path,
-) -> None:
+def test_a_copy_in_every_disguise_at_once_stands_before_all_innocent_groups() -> None:
     """Other loops, order, values, names and layout: some values still lie as far apart."""
     whole = with_copies(honest("pallet", 1, 28, "one"), ("combined",), "one")
     (one,) = whole.planted
     assert one.changes == ("loops+steps+values+names+layout",)
-    found = graded(whole, tmp_path, (), "--no-collisions")
-    (place,) = placed(whole.planted, found.groups)
+    (place,) = placed(whole.planted, compared(whole))
     assert (place.rank, place.above, place.strangers) == (1, 0, 0), told([place])
 
 
