@@ -16,6 +16,7 @@ from hypothesis import settings
 from xdist.scheduler import LoadScopeScheduling
 
 from tests import constants, marked
+from tests.forked.plugin import Forked
 from tests.laws import examples
 from tests.times import seconds
 
@@ -42,8 +43,10 @@ _STATE = pytest.StashKey[str]()
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Keep keys of logs, which servers of tests make, away from the user's own."""
+    """Keep keys of logs, which servers of tests make, away from the user's own; begin to divide."""
     config.stash[_STATE] = os.environ["XDG_STATE_HOME"] = tempfile.mkdtemp(prefix="vrts-tests-")
+    if (count := config.getoption("forked")) and not config.option.collectonly:
+        config.pluginmanager.register(Forked(config, count), "vrts-forked")
 
 
 def pytest_unconfigure(config: pytest.Config) -> None:
@@ -52,7 +55,8 @@ def pytest_unconfigure(config: pytest.Config) -> None:
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    """Take the folder of programs that `tests/bench/test_bench_strangers.py` measures."""
+    """Take the number of workers, and a folder of programs that a benchmark measures."""
+    parser.addoption("--forked", type=int, default=0, help="workers, forked when all is read")
     parser.addoption("--strangers", default=None, help="a folder of programs, one for a language")
 
 

@@ -78,8 +78,7 @@ def pytest_runtest_protocol(item: pytest.Item) -> Iterator[None]:
     before = now()
     yield
     row = [item.nodeid, *difference(before, now())]
-    name = os.environ.get("PYTEST_XDIST_WORKER", "alone")
-    with (Path(os.environ[FOLDER]) / name).open("a", encoding="utf-8") as file:
+    with (Path(os.environ[FOLDER]) / str(os.getpid())).open("a", encoding="utf-8") as file:
         file.write(json.dumps(row) + "\n")
 
 

@@ -29,7 +29,8 @@ FEW = 1_000  # states
 MOST = 20_000  # of programs that are made to be looked at
 SCENARIOS = 8  # of each of these; tests/bench tries many more
 ALONE = robot_alone()
-USUAL, MANY = range(30), [pytest.param(k, marks=pytest.mark.thorough) for k in range(30, 80)]
+USUAL, MANY = range(12), [pytest.param(k, marks=pytest.mark.thorough) for k in range(12, 80)]
+LATER = MANY[18:]  # of what is drawn, for what looks at it in several orders
 DEAR = (3, 16)  # of the programs that are drawn, those whose search takes seconds
 DRAWN = [pytest.param(k, marks=pytest.mark.thorough) if k in DEAR else k for k in USUAL]
 
@@ -85,7 +86,7 @@ def compare(apart: Search, merged: Search) -> None:
     assert merged.executed.numbers == apart.executed.numbers
 
 
-@pytest.mark.parametrize("number", [*DRAWN, *MANY[:60]])
+@pytest.mark.parametrize("number", [*DRAWN, *MANY])
 @deep_stack()
 def test_merging_changes_no_answer_of_drawn_programs(number: int) -> None:
     given = drawn(number)
@@ -133,7 +134,7 @@ def test_the_order_changes_no_answer(number: int) -> None:
     in_any_order(compiled(looking(number)), ALONE, Environment(), number, MOST)
 
 
-@pytest.mark.parametrize("number", [*DRAWN[:10], *MANY[:60]])
+@pytest.mark.parametrize("number", [*DRAWN[:10], *LATER])
 @deep_stack()
 def test_the_order_changes_no_answer_of_drawn_programs(number: int) -> None:
     given = drawn(number)
@@ -161,7 +162,7 @@ def stays(search: Search, told: Told) -> list[Machine]:
     return shown
 
 
-@pytest.mark.parametrize("number", [*DRAWN, *MANY[:60]])
+@pytest.mark.parametrize("number", [*DRAWN, *MANY])
 @deep_stack()
 def test_what_a_scenario_shows_of_drawn_programs_is_among_the_futures(number: int) -> None:
     given = drawn(number)

@@ -12,6 +12,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.laws import first
 from tests.places import ROOT
 from tests.support_commands import vrts_text
 from tests.support_goals import SCENE_TEXT
@@ -73,7 +74,7 @@ def test_a_task_can_be_made_of_a_scene_that_is_there(tmp_path: Path) -> None:
     assert vrts("task", "check", "lab", cwd=tmp_path).returncode == 0
 
 
-@pytest.mark.parametrize("origin", [(), ("--from", "one-can-ur5")])
+@pytest.mark.parametrize("origin", first(1, [(), ("--from", "one-can-ur5")]))
 def test_everything_that_new_files_have_as_comments_passes_too(
     origin: tuple[str, ...], tmp_path: Path
 ) -> None:
@@ -385,6 +386,7 @@ def recorded(path: Path) -> bytes:
     return subprocess.run(words, capture_output=True, check=True).stdout
 
 
+@pytest.mark.thorough
 def test_what_students_get_is_the_same_whatever_the_staff_hides(tmp_path: Path) -> None:
     """Byte by byte, also inside files that are packed: so nothing can be read out of them."""
     found: list[dict[str, bytes]] = []

@@ -110,12 +110,18 @@ def test_long_lists_are_no_riddle() -> None:
         assert codes(body)  # would take minutes
 
 
-def test_lines_of_a_file() -> None:
+@pytest.mark.parametrize(
+    ("more", "expected"),
+    [
+        (".REALS\n.END\n", {"V115"}),
+        pytest.param("", set[str](), marks=pytest.mark.thorough),  # all of them are looked at
+    ],
+)
+def test_lines_of_a_file(more: str, expected: set[str]) -> None:
     section = ".REALS\n" + "a 1\n" * 49_999 + ".END\n"
-    for more, expected in ("", set[str]()), (".REALS\n.END\n", {"V115"}):
-        text = section * 2 + ".PROGRAM main\n" + "READY\n" * 49_999 + ".END\n" + more
-        found = compile_source(SourceFile("a.v2", text), Options(VAL2)).diagnostics
-        assert {d.rule.code for d in found if d.is_error} - {"V151"} == expected
+    text = section * 2 + ".PROGRAM main\n" + "READY\n" * 49_999 + ".END\n" + more
+    found = compile_source(SourceFile("a.v2", text), Options(VAL2)).diagnostics
+    assert {d.rule.code for d in found if d.is_error} - {"V151"} == expected
 
 
 def test_of_what_is_found_beyond_only_the_number_is_kept() -> None:
