@@ -99,3 +99,26 @@ def test_the_arm_stands_where_text_and_debugger_stand(code: Code) -> None:
     code.until(lambda: "has errors" in note(arm), "the panel says so")
     code.page.keyboard.press("Backspace")
     code.until(lambda: "10.0 / 10 · ready" in code.status(), "the mark again")
+    a_task_is_shown_while_it_is_written(code, arm)
+
+
+def a_task_is_shown_while_it_is_written(code: Code, arm: Frame) -> None:
+    """Its scene and goals; a fault is told, and the last scene that could be read stays."""
+    code.open("task.toml")
+    code.until(lambda: note(arm) == "The scene as the text has it.", "the scene")
+    assert arm.evaluate("window.vrts.stage.data.scene.goals.length") == 2
+    code.line('on = "base2"')
+    code.page.keyboard.press("Home")
+    code.page.keyboard.type("x")
+    code.until(lambda: note(arm).startswith("The file has errors"), "a mistake")
+    code.until(lambda: code.page.locator(".squiggly-error").count() > 0, "a wavy line")
+    assert arm.evaluate("window.vrts.stage.data.scene.goals.length") == 2
+    code.page.keyboard.press("Backspace")
+    code.until(lambda: note(arm) == "The scene as the text has it.", "the scene again")
+    code.page.keyboard.press("End")
+    code.page.keyboard.press("Enter")
+    code.page.keyboard.type("wei")
+    row = code.page.locator(".suggest-widget.visible .monaco-list-row.focused")
+    code.until(lambda: row.count() and "weight" in row.inner_text(), "a key is proposed")
+    code.page.keyboard.press("Enter")
+    code.until(lambda: code.text("weight = 1.0"), "the key with its value")

@@ -78,6 +78,20 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/debug/dap/test_inline.py",),
     ),
     Patch(
+        "a fault in a task file takes the scene beside it away",
+        "vrts/lsp/server/background/settings.py",
+        "        if looked.recording is not None:",
+        "        if looked:",
+        ("tests/unit/lsp/server/test_settings.py",),
+    ),
+    Patch(
+        "keys of a scene or task are proposed again that are there already",
+        "vrts/lsp/settings/completing.py",
+        "        if key.name in given:",
+        "        if False:",
+        ("tests/unit/lsp/settings",),
+    ),
+    Patch(
         "values are drawn behind lines that have not come yet",
         "vrts/debug/dap/inline.py",
         "        last = min(last, cause.span.line)",

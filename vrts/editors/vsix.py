@@ -10,18 +10,10 @@ from typing import Any
 from xml.sax.saxutils import escape, quoteattr
 
 from vrts import __version__
-from vrts.schemas import FOLDER
+from vrts.schemas import FILES, FOLDER
 from vrts.web.assets import asset, closure
 
 GRAMMAR = "val2.tmLanguage.json"
-FILES = {  # how files are called that a schema is of; others say `#:schema` in their first line
-    "scene": ("scene.toml",),
-    "lab": ("lab.toml", "*-lab.toml"),
-    "task": ("task.toml",),
-    "scenario": ("scenario.toml", "*-scenario.toml"),
-    "environment": ("environment.toml", "*-environment.toml"),
-    "columns": ("columns.toml", "*-columns.toml"),
-}
 BESIDE = "beside/main.js"  # the module of the panel beside the text
 _BESIDE_TOO = ("beside/page.html", "beside/beside.css", "report/replay.html")
 _SHEETS = ("report/base.css", "report/page.css")

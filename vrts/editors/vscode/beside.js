@@ -11,6 +11,13 @@ const fs = require("node:fs");
 const path = require("node:path");
 
 const LANGUAGE = "val2";
+const SCENES = /(^|[\\/])(scene|task)\.toml$/; // files whose scene is shown while they are written
+
+/** Whether the panel shows something of a document. @param {any} document */
+function shows(document) {
+  return document.languageId === LANGUAGE || SCENES.test(document.uri.fsPath);
+}
+
 const lit = { isWholeLine: true, backgroundColor: new vscode.ThemeColor("editor.rangeHighlightBackground"), overviewRulerColor: new vscode.ThemeColor("editorOverviewRuler.rangeHighlightForeground") };
 
 /** One panel, about one program or scene at a time. */
@@ -113,6 +120,7 @@ class Beside {
     const found = await this.ask("vrts/recording", { uri: uri.toString() });
     if (!this.panel || this.session || String(uri) !== String(this.uri)) return;
     if (!found) this.post({ kind: "note", text: waitingFor(uri), old: true });
+    else if (found.still) this.post({ kind: "recording", recording: found.recording, still: true, text: found.text, old: found.old });
     else this.post({ kind: "recording", recording: found.recording, text: "Click a line, and the arm stands there." });
     this.future = 0;
   }
@@ -120,7 +128,7 @@ class Beside {
   /** The text is another one: what is shown is of the text before. @param {any} document */
   changed(document) {
     if (!this.panel || this.session || String(document.uri) !== String(this.uri)) return;
-    if (document.languageId === LANGUAGE) this.post({ kind: "note", text: waitingFor(this.uri), old: true });
+    if (shows(document)) this.post({ kind: "note", text: waitingFor(this.uri), old: true });
   }
 
   /** @param {any} event of a selection */
@@ -138,7 +146,7 @@ class Beside {
 
   /** Follow the reader to another program. @param {any} editor */
   turnedTo(editor) {
-    if (!this.panel || this.session || !editor || editor.document.languageId !== LANGUAGE) return;
+    if (!this.panel || this.session || !editor || !shows(editor.document)) return;
     if (String(editor.document.uri) === String(this.uri)) return;
     this.unlight();
     void this.show(editor.document.uri);
@@ -237,6 +245,7 @@ class Beside {
 
 /** @param {any} uri */
 function waitingFor(uri) {
+  if (SCENES.test(uri.fsPath)) return "The file is being read …";
   const errors = vscode.languages.getDiagnostics(uri).some((/** @type {any} */ one) => one.severity === vscode.DiagnosticSeverity.Error && one.source === "vrts");
   return errors ? "The program has errors: the picture is of the text before." : "The program is being verified …";
 }
@@ -259,4 +268,4 @@ function page(webview, root) {
   return read("beside", "page.html").replace(/\{(nonce|source|root|stage)\}/g, (_, name) => filled[name]);
 }
 
-module.exports = { Beside };
+module.exports = { Beside, shows };

@@ -6,11 +6,13 @@
 "use strict";
 
 const vscode = require("vscode");
-const { Beside } = require("./beside.js");
+const { Beside, shows } = require("./beside.js");
 const { Status } = require("./status.js");
 const { LanguageClient } = require("./vendor/languageclient.js");
 
 const LANGUAGE = "val2";
+const SETTINGS = ["**/{scene,task,lab,scenario,environment,columns}.toml", "**/*-{lab,scenario,environment,columns}.toml"]
+  .map((pattern) => ({ scheme: "file", pattern }));
 /** @type {any} */
 let client;
 /** @type {Beside | undefined} */
@@ -27,6 +29,12 @@ function programOf(/** @type {any} */ argument) {
   if (typeof argument === "string") return vscode.Uri.parse(argument).fsPath;
   const editor = vscode.window.activeTextEditor;
   return editor && editor.document.languageId === LANGUAGE ? editor.document.uri.fsPath : undefined;
+}
+
+/** What is to be shown: the same, or the scene or task that is being edited. */
+function shownOf(/** @type {any} */ argument) {
+  const editor = vscode.window.activeTextEditor;
+  return programOf(argument) || (editor && shows(editor.document) ? editor.document.uri.fsPath : undefined);
 }
 
 /**
@@ -114,7 +122,7 @@ const inlineValues = {
 
 /** Show the arm beside a program. */
 async function showArm(/** @type {any} */ argument) {
-  const program = programOf(argument);
+  const program = shownOf(argument);
   if (!program || !beside) return;
   const open = vscode.workspace.textDocuments.find((/** @type {any} */ one) => one.uri.fsPath === program);
   await beside.show(open ? open.uri : vscode.Uri.file(program));
@@ -123,6 +131,18 @@ async function showArm(/** @type {any} */ argument) {
 /** Ask the language server; nothing where it is not there. */
 async function ask(/** @type {string} */ method, /** @type {unknown} */ params) {
   return client && client.isRunning() ? client.sendRequest(method, params) : undefined;
+}
+
+/** Keys and what they mean come from Even Better TOML where that is there: it has our schemas. */
+const middleware = {
+  provideCompletionItem: (/** @type {any} */ document, /** @type {any} */ ...rest) => helped(document, rest),
+  provideHover: (/** @type {any} */ document, /** @type {any} */ ...rest) => helped(document, rest),
+};
+
+/** @param {any} document @param {any[]} rest */
+function helped(document, rest) {
+  const others = document.languageId !== LANGUAGE && vscode.extensions.getExtension("tamasfe.even-better-toml");
+  return others ? undefined : rest[rest.length - 1](document, ...rest.slice(0, -1));
 }
 
 /** Say that vrts cannot be started. */
@@ -147,12 +167,12 @@ exports.activate = async function activate(/** @type {any} */ context) {
     vscode.commands.registerCommand("vrts.tickForward", () => tick(1)),
   );
   const server = { command: command(), args: ["lsp"] };
-  const documents = [{ language: LANGUAGE, scheme: "file" }, { language: LANGUAGE, scheme: "untitled" }];
+  const documents = [{ language: LANGUAGE, scheme: "file" }, { language: LANGUAGE, scheme: "untitled" }, ...SETTINGS];
   const initializationOptions = { commands: ["vrts.run", "vrts.verify", "vrts.debug"] }; // of the editor's own
-  client = new LanguageClient("vrts", "VAL-II", server, { documentSelector: documents, initializationOptions });
+  client = new LanguageClient("vrts", "VAL-II", server, { documentSelector: documents, initializationOptions, middleware });
   client.onNotification("vrts/shown", (/** @type {any} */ told) => {
     status.told(told);
-    if (beside && told.shown && String(beside.uri) === String(vscode.Uri.parse(told.uri))) void beside.refresh();
+    if (beside && (told.shown || told.scene) && String(beside.uri) === String(vscode.Uri.parse(told.uri))) void beside.refresh();
   });
   try {
     await client.start();

@@ -43,7 +43,7 @@ def converted(diagnostic: Diagnostic, uri: str, places: Places) -> types.Diagnos
         in_words(diagnostic),
         SEVERITIES[diagnostic.severity],
         code=diagnostic.rule.code,
-        code_description=_page(diagnostic.rule.code),
+        code_description=page_of(diagnostic.rule.code),
         source="vrts",
         tags=[types.DiagnosticTag.Unnecessary] if diagnostic.rule == UNUSED_NAME else None,
         related_information=related or None,
@@ -82,13 +82,14 @@ def converted_finding(
         finding.message,
         SEVERITIES[finding.severity],
         code=finding.code,
-        code_description=_page(finding.code),
+        code_description=page_of(finding.code),
         source=VERIFICATION,
         related_information=related or None,
     )
 
 
-def _page(code: str) -> types.CodeDescription | None:
+def page_of(code: str) -> types.CodeDescription | None:
+    """Return the link to the explanation of a code."""
     page = from_fs_path(str(files("vrts") / "pages" / f"{code}.md"))
     return types.CodeDescription(page) if page else None
 

@@ -6,6 +6,7 @@ from vrts.lsp.answers.completing import Proposal, What, complete
 from vrts.lsp.answers.hovering import hover
 from vrts.lsp.answers.signatures import signature
 from vrts.lsp.documents.linking import group
+from vrts.lsp.server.beside.settings import completed, explained
 from vrts.lsp.server.session import Session
 
 _KINDS = {
@@ -27,6 +28,9 @@ def register(session: Session) -> None:
 
     @session.feature(types.TEXT_DOCUMENT_HOVER)
     async def hovering(server: Session, params: types.HoverParams) -> types.Hover | None:
+        setting = server.setting(params.text_document.uri)
+        if setting is not None:
+            return explained(setting, server.places_in(setting.source), params.position)
         document = server.document(params.text_document.uri)
         places = server.places(document)
         found = hover(document, places.offset(params.position), server.group(document))
@@ -46,6 +50,11 @@ def register(session: Session) -> None:
         types.CompletionOptions(trigger_characters=["$", "#", ".", "("]),
     )
     def completion(server: Session, params: types.CompletionParams) -> types.CompletionList:
+        setting = server.setting(params.text_document.uri)
+        if setting is not None:
+            bodies = server.settings.bodies.get(setting.path, ())
+            within = server.places_in(setting.source)
+            return completed(setting, within, params.position, bodies)
         document = server.document(params.text_document.uri)
         places = server.places(document)
         beside = server.documents.beside(document.path)

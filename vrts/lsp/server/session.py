@@ -14,6 +14,7 @@ from pygls.uris import from_fs_path, to_fs_path
 
 from vrts import __version__
 from vrts.base.diagnostic import Diagnostic
+from vrts.base.source import SourceFile
 from vrts.lsp.answers.checking import check
 from vrts.lsp.answers.near import is_long, near
 from vrts.lsp.channel.findings import Finding
@@ -24,6 +25,7 @@ from vrts.lsp.server.background.mending import Mending
 from vrts.lsp.server.background.ordering import Orders
 from vrts.lsp.server.background.reaching import Reaching
 from vrts.lsp.server.background.reading import Reading
+from vrts.lsp.server.background.settings import Looked, SettingFile, SettingFiles
 from vrts.lsp.server.background.verifying import Subject, Verifications
 from vrts.lsp.server.background.watching import watch
 from vrts.lsp.server.diagnostics import converted, converted_finding
@@ -57,9 +59,11 @@ class Session(LanguageServer):
         self.latest: str | None = None  # the buffer that was opened or changed last
         self.offers: list[Callable[[types.InitializeParams], None]] = []  # told how a client begins
         self.commands_to_register: list[str] = []
+        self.settings = SettingFiles(_background, self._looked, runs=runs)
         self.verifications = Verifications(_background, self._learned)
         self._worker = ThreadPoolExecutor(1, "check")  # one: answers come first
         self.told_beside: Callable[[Document], None] | None = None  # who shows more beside the text
+        self.told_looked: Callable[[Looked], None] = lambda _: None  # of a TOML file
 
     @property
     def followed(self) -> Protocol:
@@ -79,6 +83,9 @@ class Session(LanguageServer):
             self._watch = _background(watch(self._open_folders, self._check_folder))
         self.reading.stand_back()
         path = path_of(uri)
+        buffer = self.workspace.get_text_document(uri)
+        if self.settings.take(path, uri, buffer.source, buffer.version):
+            return
         if path not in self._uris:
             self.reading.begin(os.path.dirname(path))
         self._uris[path] = self.latest = uri
@@ -88,6 +95,7 @@ class Session(LanguageServer):
     def closed(self, uri: str) -> None:
         """Forget a buffer, and what was said about it."""
         path = path_of(uri)
+        self.settings.forget(path)
         self.documents.close(path)
         self._uris.pop(path, None)
         if self.latest == uri:
@@ -107,9 +115,15 @@ class Session(LanguageServer):
         """
         self.reading.stand_back()
         document = self.documents.open.get(path_of(uri))
+        if document is None and self.setting(uri) is not None:
+            return Document(path_of(uri), "")  # no program: nothing is to be said of it as one
         if document is None:
             raise JsonRpcInvalidParams(f"`{uri[:MOST_TOLD]}` is not open")
         return document
+
+    def setting(self, uri: str) -> SettingFile | None:
+        """Return a buffer with a scene, a task or another TOML file of vrts; None: it is none."""
+        return self.settings.open.get(path_of(uri))
 
     def group(self, document: Document) -> list[Document]:
         """Return the files that belong together with a buffer, itself first, of those read yet."""
@@ -131,7 +145,11 @@ class Session(LanguageServer):
 
     def places(self, document: Document) -> Places:
         """Return the positions of a text, as the client counts them."""
-        return Places(document.source, str(self.workspace.position_encoding or "utf-16"))
+        return self.places_in(document.source)
+
+    def places_in(self, source: SourceFile) -> Places:
+        """Return the same of any text."""
+        return Places(source, str(self.workspace.position_encoding or "utf-16"))
 
     def folders(self) -> list[str]:
         """Return the folders that the client has opened."""
@@ -229,6 +247,7 @@ class Session(LanguageServer):
         self.mending.stop()
         self.scenarios.stop()
         self.orders.stop()
+        self.settings.stop()
         for task in (*self._checks.values(), self._watch):
             if task is not None:
                 task.cancel()
@@ -260,6 +279,10 @@ class Session(LanguageServer):
             shown += [self.shown(finding, document) for finding in self.findings(document)]
         version = self.version_of(document)
         self.text_document_publish_diagnostics(types.PublishDiagnosticsParams(uri, shown, version))
+
+    def _looked(self, looked: Looked) -> None:
+        """Tell the client what was found in a TOML file."""
+        self.told_looked(looked)
 
     def _learned(self, document: Document) -> None:
         """Tell the client what a verification has found."""

@@ -86,6 +86,7 @@ export class Stage {
     this.viewer = opened(canvas, scene);
     byId("no-view").hidden = this.viewer !== null;
     canvas.hidden = this.viewer === null;
+    if (!before) this.viewer?.look("overview"); // again: now the shape of its place is known
     if (!before || !this.viewer) return;
     this.viewer.camera.position.copy(before.camera.position);
     this.viewer.controls.target.copy(before.controls.target);

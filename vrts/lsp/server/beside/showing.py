@@ -9,6 +9,9 @@ from typing import Any, cast
 from pygls.exceptions import JsonRpcInvalidParams
 
 from vrts.lsp.documents.documents import Document
+from vrts.lsp.server.background.settings import Looked
+from vrts.lsp.server.beside.settings import last_scene, published
+from vrts.lsp.server.beside.settings import shown as in_short
 from vrts.lsp.server.session import Session
 
 
@@ -20,6 +23,14 @@ def register(session: Session) -> None:
             return  # there is another text by now: this is not its mark
         session.protocol.notify("vrts/shown", _in_short(session, document))
 
+    def looked(found: Looked) -> None:
+        places = session.places_in(found.of.source)
+        session.text_document_publish_diagnostics(published(found, places))
+        if session.told_beside is not None:
+            session.protocol.notify("vrts/shown", in_short(found))
+
+    session.told_looked = looked
+
     @session.feature("vrts/beside")
     def beside(server: Session, params: object) -> None:
         server.told_beside = told
@@ -29,6 +40,9 @@ def register(session: Session) -> None:
     @session.feature("vrts/recording")
     def recording(server: Session, params: object) -> dict[str, object] | None:
         """Return the newest recording of a buffer; nothing where its text has not run."""
+        setting = server.setting(_uri(params))
+        if setting is not None:
+            return last_scene(setting, server.settings.last_good.get(setting.path))
         document = server.document(_uri(params))
         shown = server.verifications.answer(document).shown
         if shown is None:
