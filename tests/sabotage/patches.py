@@ -136,15 +136,29 @@ PATCHES: tuple[Patch, ...] = (
     Patch(
         "what stands on two arms of a mesh stands on one of them",
         "vrts/engine/hand/settle.py",
-        "                        found += common(part, theirs)",
-        "                        found = found or common(part, theirs)",
+        "                        points = common(part, theirs)",
+        "                        points = [] if found else common(part, theirs)",
         ("tests/unit/scene/things/test_mesh_objects.py",),
+    ),
+    Patch(
+        "what sticks out of the pads past a steep side counts as between them",
+        "vrts/engine/hand/slab.py",
+        "        if inside or within >= STEEPEST or found < NOWHERE:",
+        "        if inside or within >= SEARCH or found < NOWHERE:",
+        ("tests/oracle/test_grips_oracle.py",),
+    ),
+    Patch(
+        "of several things that something rests on the first alone is told",
+        "vrts/engine/hand/settle.py",
+        "    also = tuple(name for name in touched if name != standing.name)",
+        "    also = ()",
+        ("tests/unit/engine/hand/test_rests_on_several.py",),
     ),
     Patch(
         "what is put across two things stands on the first alone",
         "vrts/engine/hand/settle.py",
-        "    met = hull(_contacts(pieces, X_rest, others, normal))",
-        "    met = hull(_contacts(pieces, X_rest, [standing], normal))",
+        "    touched = _contacts(pieces, X_rest, others, normal)",
+        "    touched = _contacts(pieces, X_rest, [standing], normal)",
         ("tests/unit/engine/hand/test_resting_law.py",),
     ),
     Patch(

@@ -169,8 +169,9 @@ class Alarms:
                     known.setdefault(Filter.DROPPED, []).append(
                         Alarm(instant, Filter.DROPPED, text, cause=event.cause)
                     )
-                case Toppled(body=body, support=support):
-                    text = f"{body} cannot stand on {support}" if support else f"{body} has fallen"
+                case Toppled(body=body, support=support, also=also):
+                    on = " and ".join((support, *also))
+                    text = f"{body} cannot stand on {on}" if support else f"{body} has fallen"
                     known.setdefault(Filter.DROPPED, []).append(
                         Alarm(instant, Filter.DROPPED, text, cause=event.cause)
                     )

@@ -50,10 +50,10 @@ def event_text(event: Event) -> tuple[str, str] | None:
         case Released(body=body, height_m=height):
             fall = f", to fall {millimetres(height):g} mm" if height > 0 else ""
             return ("grasp", f"{body} released{fall}")
-        case Landed(body=body, support=support):
-            return ("grasp", f"{body} stands on {support}")
-        case Toppled(body=body, support=support):
-            return ("fault", f"{body} cannot stand on {support}")
+        case Landed(body=body, support=support, also=also):
+            return ("grasp", f"{body} stands on {' and '.join((support, *also))}")
+        case Toppled(body=body, support=support, also=also):
+            return ("fault", f"{body} cannot stand on {' and '.join((support, *also))}")
         case SignalChanged(signal=signal, on=on):
             return ("signal", f"signal {signal} {'on' if on else 'off'}")
         case Printed(text=text):

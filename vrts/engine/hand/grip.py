@@ -1,25 +1,28 @@
 """What the pads find between them.
 
 Frame P stands between the pads: x across them, y from finger to finger, z along the approach. The
-part of a body that counts is the part between the pads, a slab of their width and length.
+part of a body that counts is the part between the pads, a slab of their width and length: how wide
+it is, and how long along a pad, is that of the union of its pieces, however a mesh was cut.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
-from vrts.base.pose import X_AXIS, Z_AXIS, Pose
+from vrts.base.pose import X_AXIS, Z_AXIS, Pose, Vector
 from vrts.base.remembered import is_remembering, remembered
-from vrts.engine.hand.slab import slab_reach
+from vrts.engine.hand.slab import X, Z, part_along, slab_reach
 from vrts.geometry.shapes import Piece
-from vrts.geometry.support import Interval, extent_of
+from vrts.geometry.support import Bounds, Interval, extent_of
 from vrts.robots.model import Gripper
+
+JOINED = 1e-4  # [m] pieces nearer than this are one part
 
 
 class Between(NamedTuple):
     """A body as the pads meet it."""
 
     across: Interval  # along y of P, of the part between the pads [m]
-    overlap: float  # smaller of the common lengths with a pad along x and z [m]
+    overlap: float  # smaller of the lengths along x and z of what is between the pads [m]
 
     @property
     def width(self) -> float:
@@ -43,8 +46,7 @@ def between(gripper: Gripper, pieces: Sequence[Piece], X_PO: Pose) -> Between | 
 def _between(gripper: Gripper, pieces: Sequence[Piece], X_PO: Pose) -> Between | None:
     half_width, half_length = gripper.pad_width / 2.0, gripper.pad_length / 2.0
     half_opening = gripper.opening_max / 2.0
-    found: list[Interval] = []
-    overlap = 0.0
+    parts: list[Bounds] = []  # round what of each piece is between the pads
     for piece in pieces:
         x = extent_of((piece,), X_PO, X_AXIS).overlap(Interval(-half_width, half_width))
         z = extent_of((piece,), X_PO, Z_AXIS).overlap(Interval(-half_length, half_length))
@@ -57,9 +59,46 @@ def _between(gripper: Gripper, pieces: Sequence[Piece], X_PO: Pose) -> Between |
             continue  # the piece passes the slab by, past one of its edges
         if lower > half_opening or upper < -half_opening:
             continue  # behind a finger, even with the hand wide open: the far wall of a dish
-        found.append(Interval(lower, upper))
-        overlap = max(overlap, min(x, z))
-    if not found:
+        along = [part_along(piece.shape, X_PS, axis, half_width, half_length) for axis in (X, Z)]
+        (left, right), (back, front) = along
+        parts.append(Bounds((left, lower, back), (right, upper, front)))
+    if not parts:
         return None
-    across = Interval(min(i.lower for i in found), max(i.upper for i in found))
-    return Between(across, overlap)
+    across = Interval(min(p.lower[1] for p in parts), max(p.upper[1] for p in parts))
+    return Between(across, max(_common(whole) for whole in _joined(parts)))
+
+
+def _common(part: Bounds) -> float:
+    """Return the smaller of the lengths along x and z [m]."""
+    return min(part.upper[0] - part.lower[0], part.upper[2] - part.lower[2])
+
+
+def _joined(parts: Sequence[Bounds]) -> list[Bounds]:
+    """Return boxes round parts that touch: where a mesh is cut into pieces is nobody's doing."""
+    found: list[Bounds] = []
+    for part in parts:
+        one, apart = part, list[Bounds]()
+        for other in found:
+            if _touch(one, other):
+                low, high = (
+                    zip(one.lower, other.lower, strict=True),
+                    zip(one.upper, other.upper, strict=True),
+                )
+                one = Bounds(
+                    _vector(min(pair) for pair in low), _vector(max(pair) for pair in high)
+                )
+            else:
+                apart.append(other)
+        found = [*apart, one]
+    return found
+
+
+def _touch(a: Bounds, b: Bounds) -> bool:
+    return all(
+        a.lower[k] <= b.upper[k] + JOINED and b.lower[k] <= a.upper[k] + JOINED for k in range(3)
+    )
+
+
+def _vector(values: Iterable[float]) -> Vector:
+    x, y, z = values
+    return (x, y, z)

@@ -259,13 +259,14 @@ class Hand:
                 self.place(member, time_s, Lie.FALLING, X, None)
             X_end = X_WO @ X_OO @ X_WO.inverse() @ X
             self.place(member, landing, lie, X_end, support)
+        on = (rest.support, *rest.also)
         if rest.height_m > told.DROP_HEIGHT:
-            events.append(told.dropped(time_s, name, rest.height_m, rest.support, cause))
+            events.append(told.dropped(time_s, name, rest.height_m, on, cause))
         if rest.stands:
-            events.append(Landed(landing, name, rest.support, cause))
+            events.append(Landed(landing, name, rest.support, cause, rest.also))
             return
-        events.append(Toppled(landing, name, rest.support, cause))
-        events.append(told.toppled(landing, name, rest.support, cause))
+        events.append(Toppled(landing, name, rest.support, cause, rest.also))
+        events.append(told.toppled(landing, name, on, cause))
 
     def _supports(self, without: set[str]) -> list[Standing]:
         found: list[Standing] = []

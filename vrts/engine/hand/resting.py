@@ -21,3 +21,4 @@ class Rest(NamedTuple):
     support: str
     X_WO: Pose
     stands: bool
+    also: tuple[str, ...] = ()  # what it touches beside its support, where it rests on several

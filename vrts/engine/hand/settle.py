@@ -69,10 +69,12 @@ def settle(
     X_rest, normal = X_touch, Z_AXIS  # on edges or corners, if it stands at all: it is not turned
     if bottom is not None and top is not None and _carries(bottom, top):
         X_rest, normal = _aligned(X_touch, bottom, top), top.normal
-    met = hull(_contacts(pieces, X_rest, others, normal))
+    touched = _contacts(pieces, X_rest, others, normal)
+    met = hull([point for of_one in touched.values() for point in of_one])
     mass = X_rest.apply(centre_of_mass)
     stands = _area(met) > LEAST_AREA and contains(met, (mass[0], mass[1]), slack=ROUNDING)
-    return Rest(height, standing.name, X_rest if stands else X_touch, stands)
+    also = tuple(name for name in touched if name != standing.name)
+    return Rest(height, standing.name, X_rest if stands else X_touch, stands, also)
 
 
 def _descend(
@@ -154,8 +156,8 @@ def _carries(bottom: Face, top: Face) -> bool:
 
 def _contacts(
     pieces: Sequence[Piece], X_WO: Pose, others: Sequence[Standing], normal: Vector
-) -> list[Point]:
-    """Return points, seen from above, whose hull is what a body stands on.
+) -> dict[str, list[Point]]:
+    """Return points of each body, seen from above, whose hull is what something stands on.
 
     It may stand on several pieces of a body, on several bodies, at several heights, and on edges
     and corners; all contacts look along one normal.
@@ -163,7 +165,7 @@ def _contacts(
     down = scale(normal, -1.0)
     mine = [(-height, part) for piece in pieces for height, part in _ends(piece, X_WO, down)]
     box = bounds(pieces, X_WO)
-    found: list[Point] = []
+    found: dict[str, list[Point]] = {}
     for standing in others:
         for piece in standing.pieces:
             if not _under(box, piece, standing.X_WO):
@@ -171,7 +173,9 @@ def _contacts(
             for height, theirs in _ends(piece, standing.X_WO, normal):
                 for own, part in mine:
                     if abs(own - height) <= LEVEL:
-                        found += common(part, theirs)
+                        points = common(part, theirs)
+                        if points:
+                            found.setdefault(standing.name, []).extend(points)
     return found
 
 

@@ -1,8 +1,10 @@
 """How far the part of a convex piece between the pads reaches, across them.
 
 The largest y over a convex set cut by |x| <= a, |z| <= b is the smallest value over multipliers
-(s, t) of h(s, 1, t) + a |s| + b |t|, with h the reach of the set (convex duality). That is asked
-for hundreds of times, so what does not change is worked out once, in the order in which
+(s, t) of h(s, 1, t) + a |s| + b |t|, with h the reach of the set (convex duality). Multipliers are
+as large as sides are steep: where the smallest value lies at the edge of the range that was looked
+at, a larger one is. What comes out is never less than the truth. That is asked for hundreds of
+times, so what does not change is worked out once, in the order in which
 `reach(shape, rotate(...)) + dot(...)` has it: every number is the same to its last digit.
 """
 
@@ -12,14 +14,22 @@ from typing import TypeAlias
 
 from vrts.base.pose import Pose, Vector, dot, rotate, transpose
 from vrts.geometry.shapes import Box, Cylinder, Hull, Shape
+from vrts.geometry.support import Interval
 
-SEARCH = 1.5  # multipliers of the slab's bounds are looked for within this
+SEARCH = 1.5  # multipliers of the slab's bounds are looked for within this first
 STEPS = 26  # of a golden-section search: to 1e-5 of its range
+WIDER, MORE = 8.0, 5  # times as far, with so many more steps: as exact as before
+STEEPEST = SEARCH * WIDER**4
+EDGE = 0.98  # share of the range from which on a multiplier is at its edge
+NOWHERE = -100.0  # [m] less than any reach: the shape passes the slab by
 NUDGE = 1e-3
+X, Z = 0, 2  # axes of P
+# axes in which the one that is asked for is y, and the other side of the slab x
+FROM_X = Pose((0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0), (0.0, 0.0, 0.0))
+FROM_Z = Pose((1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, -1.0, 0.0), (0.0, 0.0, 0.0))
 SURELY = 1e-6  # [m] by which a point stays behind another, far above what rounding can do
 GOLDEN = (math.sqrt(5.0) - 1.0) / 2.0
 AROUND = ((1, 0), (-1, 0), (0, 1), (0, -1), (1, 1), (1, -1), (-1, 1), (-1, -1))
-CORNERS = [(SEARCH * s, SEARCH * t) for s, t in AROUND[4:]]
 Slice: TypeAlias = Callable[[float], float]  # of one s, as a function of t
 
 
@@ -39,10 +49,55 @@ def slab_reach(
     centre = bound(0.0)(0.0)
     if all(bound(NUDGE * s)(NUDGE * t) >= centre - 1e-12 for s, t in AROUND):
         return centre
-    if isinstance(shape, Hull):
-        ahead = Hull(foremost(shape.points, X_PS, sign))
-        bound = _bound(ahead, X_PS, sign, half_width, half_length)
-    return smallest(lambda s: smallest(bound(s)))
+    within, steps = SEARCH, STEPS
+    while True:
+        if isinstance(shape, Hull):
+            ahead = Hull(foremost(shape.points, X_PS, sign, within))
+            bound = _bound(ahead, X_PS, sign, half_width, half_length)
+        found, inside = lowest(bound, within, steps)
+        if inside or within >= STEEPEST or found < NOWHERE:
+            return found
+        within, steps = within * WIDER, steps + MORE
+
+
+def part_along(
+    shape: Shape, X_PS: Pose, axis: int, half_width: float, half_length: float
+) -> Interval:
+    """Return from where to where along x or z of P the part of a shape within the slab goes [m].
+
+    Args:
+        shape: In its frame S.
+        X_PS: Where it is.
+        axis: `X` or `Z`.
+        half_width: Of the slab, along x of P [m].
+        half_length: Of the slab, along z of P [m].
+    """
+    turn = FROM_Z if axis == Z else FROM_X
+    half, other = (half_length, half_width) if axis == Z else (half_width, half_length)
+    X_turned = turn @ X_PS
+    lower, upper = -_far(shape, X_turned, -1.0, other), _far(shape, X_turned, 1.0, other)
+    return Interval(max(-half, lower), min(half, upper))
+
+
+def _far(shape: Shape, X_PS: Pose, sign: float, half_width: float) -> float:
+    """Return how far along +y or -y of P a shape reaches where |x| is at most a half width [m]."""
+    bound = _bound(shape, X_PS, sign, half_width, 0.0)
+    centre = bound(0.0)(0.0)
+    if all(bound(s)(0.0) >= centre - 1e-12 for s in (NUDGE, -NUDGE)):
+        return centre
+    within, steps = SEARCH, STEPS
+    while True:
+        found, s = _smallest(lambda s: bound(s)(0.0), within, steps)
+        if abs(s) < EDGE * within or within >= STEEPEST or found < NOWHERE:
+            return found
+        within, steps = within * WIDER, steps + MORE
+
+
+def lowest(bound: Callable[[float], Slice], within: float, steps: int) -> tuple[float, bool]:
+    """Return the smallest value over both multipliers, and whether it lies inside the range."""
+    found, s = _smallest(lambda s: _smallest(bound(s), within, steps)[0], within, steps)
+    _, t = _smallest(bound(s), within, steps)
+    return found, max(abs(s), abs(t)) < EDGE * within
 
 
 def _bound(
@@ -87,14 +142,16 @@ def _bound(
     return sliced
 
 
-def foremost(points: Sequence[Vector], X_PS: Pose, sign: float) -> tuple[Vector, ...]:
+def foremost(
+    points: Sequence[Vector], X_PS: Pose, sign: float, within: float = SEARCH
+) -> tuple[Vector, ...]:
     """Return the points of which one is the farthest, whatever the multipliers are.
 
     How far a point is grows evenly with each of them. So a point that stays behind another at all
     four corners of the range stays behind it everywhere.
     """
     back = transpose(X_PS.rotation)
-    ways = [rotate(back, (s, sign, t)) for s, t in CORNERS]
+    ways = [rotate(back, (within * s, sign, within * t)) for s, t in AROUND[4:]]
     far = [tuple(dot(point, way) for way in ways) for point in points]
     first = {max(range(len(points)), key=lambda k, n=n: far[k][n]) for n in range(len(ways))}
     first.add(max(range(len(points)), key=lambda k: sum(far[k])))
@@ -106,12 +163,12 @@ def foremost(points: Sequence[Vector], X_PS: Pose, sign: float) -> tuple[Vector,
     return tuple(point for point, own in zip(points, far, strict=True) if not behind(own))
 
 
-def smallest(function: Slice) -> float:
-    """Return the smallest value of a convex function on the search range."""
-    low, high = -SEARCH, SEARCH
+def _smallest(function: Slice, within: float, steps: int) -> tuple[float, float]:
+    """Return the smallest value of a convex function within a range, and where it is."""
+    low, high = -within, within
     a, b = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
     at_a, at_b = function(a), function(b)
-    for _ in range(STEPS):
+    for _ in range(steps):
         if at_a <= at_b:
             high, b, at_b = b, a, at_a
             a = high - GOLDEN * (high - low)
@@ -120,4 +177,4 @@ def smallest(function: Slice) -> float:
             low, a, at_a = a, b, at_b
             b = low + GOLDEN * (high - low)
             at_b = function(b)
-    return min(at_a, at_b)
+    return (at_a, a) if at_a <= at_b else (at_b, b)

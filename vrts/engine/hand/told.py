@@ -1,5 +1,7 @@
 """What is told of the hand: bodies not met squarely, missed, dropped, and toppled."""
 
+from collections.abc import Sequence
+
 from vrts.base.diagnostic import Diagnostic, Label, Rule, Severity
 from vrts.base.units import mm
 from vrts.engine.memory.events import Cause, Found
@@ -40,29 +42,34 @@ def closed_on_nothing(time_s: float, cause: Cause, *, already: bool) -> Found:
 
 
 def dropped(
-    time_s: float, body: str, height_m: float, support: str | None, cause: Cause | None
+    time_s: float, body: str, height_m: float, supports: Sequence[str], cause: Cause | None
 ) -> Found:
     """Return that a body is let go too high above its support."""
     return _found(
         time_s,
         DROPPED,
-        f"`{body}` is let go {mm(height_m):.0f} mm above `{support}`",
+        f"`{body}` is let go {mm(height_m):.0f} mm above {named(supports)}",
         cause,
         help="open the hand only when the object stands on its support",
         body=body,
     )
 
 
-def toppled(time_s: float, body: str, support: str | None, cause: Cause | None) -> Found:
+def toppled(time_s: float, body: str, supports: Sequence[str], cause: Cause | None) -> Found:
     """Return that a body cannot stand as it is let go."""
     return _found(
         time_s,
         TOPPLED,
-        f"`{body}` cannot stand on `{support}` as it is let go",
+        f"`{body}` cannot stand on {named(supports)} as it is let go",
         cause,
         help="hold the object upright and over the middle of its support",
         body=body,
     )
+
+
+def named(supports: Sequence[str]) -> str:
+    """Return one or several bodies in words."""
+    return " and ".join(f"`{name}`" for name in supports)
 
 
 def _found(

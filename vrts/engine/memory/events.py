@@ -103,6 +103,7 @@ class Landed(NamedTuple):
     body: str
     support: str
     cause: Cause | None
+    also: tuple[str, ...] = ()  # what it rests on beside that
 
 
 class Toppled(NamedTuple):
@@ -112,6 +113,7 @@ class Toppled(NamedTuple):
     body: str
     support: str
     cause: Cause | None
+    also: tuple[str, ...] = ()  # what it touches beside that
 
 
 class SignalChanged(NamedTuple):

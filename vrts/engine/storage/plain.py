@@ -16,7 +16,7 @@ from typing import Any, NamedTuple, TypeAlias, cast, get_args, get_origin
 from vrts.base.diagnostic import Rule
 from vrts.base.pose import Pose
 from vrts.base.source import SourceFile, Span
-from vrts.engine.memory.events import Cause
+from vrts.engine.memory.events import Cause, Landed, Toppled
 from vrts.engine.storage.damage import require
 from vrts.ir.values import Joints
 from vrts.scene.model import Locks, Scenario
@@ -33,7 +33,9 @@ LATER: Mapping[Any, Mapping[str, Any]] = MappingProxyType(
             "draws": (),
             "process_first": (),
             "analog": (),
-        }
+        },
+        Landed: {"also": ()},
+        Toppled: {"also": ()},
     }
 )
 _HALF = re.compile("[\ud800-\udfff]")  # surrogates, which no text file can hold

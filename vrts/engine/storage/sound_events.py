@@ -42,7 +42,8 @@ def check_events(history: History) -> None:
                 require(action in actions, f"there is no action `{action}` of the hand")
             case _:
                 named_bodies = (getattr(event, "body", None), getattr(event, "support", None))
-                there = all(name is None or name in bodies for name in named_bodies)
+                also: tuple[str, ...] = getattr(event, "also", ())
+                there = all(name is None or name in bodies for name in (*named_bodies, *also))
                 require(there, "an event is about an object that is not there")
     _check_beginnings(history.events)
 

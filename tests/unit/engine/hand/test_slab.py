@@ -7,7 +7,19 @@ import pytest
 
 from vrts.base.oat import pose_from_components
 from vrts.base.pose import Pose, dot, rotate, translation, transpose
-from vrts.engine.hand.slab import AROUND, NUDGE, foremost, slab_reach, smallest
+from vrts.engine.hand.slab import (
+    AROUND,
+    MORE,
+    NOWHERE,
+    NUDGE,
+    SEARCH,
+    STEEPEST,
+    STEPS,
+    WIDER,
+    foremost,
+    lowest,
+    slab_reach,
+)
 from vrts.geometry.shapes import Box, Cylinder, Hull, Shape
 from vrts.geometry.support import reach
 
@@ -34,7 +46,12 @@ def plainly(shape: Shape, X_PS: Pose, sign: float) -> float:
     centre = bound(0.0, 0.0)
     if all(bound(NUDGE * s, NUDGE * t) >= centre - 1e-12 for s, t in AROUND):
         return centre
-    return smallest(lambda s: smallest(lambda t: bound(s, t)))
+    within, steps = SEARCH, STEPS
+    while True:
+        found, inside = lowest(lambda s: lambda t: bound(s, t), within, steps)
+        if inside or within >= STEEPEST or found < NOWHERE:
+            return found
+        within, steps = within * WIDER, steps + MORE
 
 
 @pytest.mark.parametrize("number", range(6))

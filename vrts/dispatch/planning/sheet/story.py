@@ -22,8 +22,9 @@ def story(run: Run) -> list[str]:
         match event:
             case Grasped(body=body):
                 found.append(f"{when} takes `{body}`")
-            case Landed(body=body, support=support):
-                found.append(f"{when} `{body}` stands on `{support}`")
+            case Landed(body=body, support=support, also=also):
+                on = " and ".join(f"`{name}`" for name in (support, *also))
+                found.append(f"{when} `{body}` stands on {on}")
             case Released(body=body, height_m=height) if height > 0.0:
                 found.append(f"{when} lets go of `{body}`")
             case Reacted(program=program, signal=signal) if signal:
