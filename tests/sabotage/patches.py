@@ -2564,6 +2564,20 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/lsp/answers/test_referring.py",),
     ),
     Patch(
+        "lsp: completion offers texts where a speed is wanted",
+        "vrts/lsp/answers/completing.py",
+        "        fits = own_type in types",
+        "        fits = True",
+        ("tests/unit/lsp/answers/test_wanted.py",),
+    ),
+    Patch(
+        "lsp: a signature counts the arguments behind BY as if it were a comma less",
+        "vrts/lsp/answers/wanted.py",
+        'return function.by + after[-1].count(",")',
+        'return after[-1].count(",")',
+        ("tests/unit/lsp/answers/test_helping.py",),
+    ),
+    Patch(
         "lsp: times of an earlier text count as those of this one",
         "vrts/lsp/server/background/verifying.py",
         "if known is None or known.subject.document is not document:",

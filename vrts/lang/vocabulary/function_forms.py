@@ -36,6 +36,18 @@ _ARGUMENTS = {
 _BY_TYPE = {"r": "x", "s": "$text", "$": "$text", "p": "location", "l": "location", "v": "variable"}
 
 
+def argument_names(signature: Signature) -> tuple[str, ...]:
+    """Return a word for each argument that a function may have; `...` where it repeats."""
+    listed = _ARGUMENTS.get(signature.name, "").replace(" BY ", ", ").split(", ")
+    told = [name for name in listed if name]
+    found: list[str] = []
+    for number, written in enumerate(signature.parameters):
+        by_type = _BY_TYPE.get(written[0], "x")
+        name = told[number] if number < len(told) else told[-1] if told else by_type
+        found.append(f"{name}..." if written.endswith("*") else name)
+    return tuple(found)
+
+
 def form_of(signature: Signature) -> str:
     """Return a function as it is written, its name in upper case."""
     arguments = _ARGUMENTS.get(signature.name)

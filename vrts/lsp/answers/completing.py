@@ -1,19 +1,22 @@
 """What the word that is being typed may become."""
 
+import re
 from collections.abc import Iterator, Sequence
 from enum import Enum
 from typing import NamedTuple
 
 from vrts.ir.system import PARAMETERS, SWITCHES
+from vrts.ir.values import Type
 from vrts.lang.vocabulary.functions import CONSTANTS, applied_functions
 from vrts.lang.vocabulary.lookup import instructions_of
 from vrts.lang.vocabulary.words import OPERATORS
 from vrts.lsp.answers.symbols import header_of
+from vrts.lsp.answers.wanted import ANYTHING, takes_signals, wanted
 from vrts.lsp.documents.asking import Asked, asked_at
 from vrts.lsp.documents.documents import Document
 from vrts.lsp.documents.names import Target
 from vrts.lsp.documents.uses import PROGRAM_WORDS, Kind
-from vrts.lsp.documents.words import function_help, function_usage, instruction_help
+from vrts.lsp.documents.words import function_help, instruction_help, named_usage
 
 _SECTIONS = {
     ".PROGRAM": "begins a program",
@@ -24,7 +27,18 @@ _SECTIONS = {
 }
 _JUMPS = frozenset({"GOTO"})
 _CALLS = frozenset({"CALL"}) | PROGRAM_WORDS
-_SIGNALS = frozenset({"SIGNAL", "REACT", "REACTI", "IGNORE", "RUNSIG"})
+_SIGNAL_PLACES = re.compile(
+    r"^[ \t]*(?:\d+[ \t]+)?(?:SIGNAL|REACTI?|IGNORE|RUNSIG|SWAIT)[ \t]+([^\n;]*)"
+    r"|\bSIG[ \t]*\(([^\n;)]*)",
+    re.IGNORECASE | re.MULTILINE,
+)
+_NAMES = re.compile(r"[A-Za-z][\w.]*", re.ASCII)
+_TYPES = {
+    Kind.VARIABLE: Type.REAL,
+    Kind.LOCATION: Type.POSE,
+    Kind.JOINTS: Type.JOINTS,
+    Kind.STRING: Type.STRING,
+}
 _REACTIONS = frozenset({"REACT", "REACTI"})
 MOST = 1000  # proposals
 
@@ -125,31 +139,38 @@ def _proposals(
     if word == "PARAMETER" and len(before) == 1:
         yield from (Proposal(p.name, What.CONSTANT, p.unit, p.about) for p in PARAMETERS.values())
         return
-    if word in _SIGNALS or (asked.call is not None and asked.call.name.upper() == "SIG"):
+    if takes_signals(asked):
         numbers = {t.name for n in names for t in n.by_target if t.family == "signal"}
         yield from (Proposal(number, What.SIGNAL, "used here", "", 0) for number in numbers)
+        for name in {n for other in group for n in _signal_names(other)}:
+            yield Proposal(name, What.SIGNAL, "the number of a signal here", "", 0)
     yield from _operands(document, asked, group)
 
 
 def _operands(document: Document, asked: Asked, group: Sequence[Document]) -> Iterator[Proposal]:
     yield from _variables(document, asked, group)
+    types = wanted(asked)
     for name, function in applied_functions(document.dialect).items():
-        about = function_help(function)
-        yield Proposal(name.upper(), What.FUNCTION, function_usage(function), about, 2)
-    yield from (
-        Proposal(name.upper(), What.CONSTANT, f"{value:g}", "", 3)
-        for name, value in CONSTANTS.items()
-    )
+        if function.result in types:
+            about = function_help(function)
+            yield Proposal(name.upper(), What.FUNCTION, named_usage(function), about, 2)
+    if Type.REAL in types:
+        yield from (
+            Proposal(name.upper(), What.CONSTANT, f"{value:g}", "", 3)
+            for name, value in CONSTANTS.items()
+        )
     qualifiers = asked.word.qualifiers if asked.word is not None else frozenset[str]()
     yield from (Proposal(text, What.QUALIFIER, "", "", 2) for text in sorted(qualifiers))
-    yield from (Proposal(t, What.QUALIFIER, w.usage, w.about, 3) for t, w in OPERATORS.items())
+    if Type.REAL in types:
+        yield from (Proposal(t, What.QUALIFIER, w.usage, w.about, 3) for t, w in OPERATORS.items())
 
 
 def _variables(document: Document, asked: Asked, group: Sequence[Document]) -> Iterator[Proposal]:
     program = document.names.program_at(asked.start)
     own = program.name if program is not None else ""
-    wants_place = _wants_location(asked)
+    types = ANYTHING if asked.is_first else wanted(asked)
     seen: dict[Target, Kind] = {}
+    sure: set[Target] = set()
     for other in group:
         for target, found in other.names.by_target.items():
             if target.family != "variable" or (target.program and other is not document):
@@ -159,21 +180,30 @@ def _variables(document: Document, asked: Asked, group: Sequence[Document]) -> I
             if target.program not in ("", own) or all(o.start == asked.start for o in found):
                 continue  # another program's own, or the very word that is typed
             kind = other.names.kind_of(target) or Kind.VARIABLE
+            if any(o.sure for o in found):
+                sure.add(target)
             if seen.get(target) in (None, Kind.VARIABLE):
                 seen[target] = kind
     for target, kind in seen.items():
         place = kind in (Kind.LOCATION, Kind.JOINTS)
         what = What.LOCATION if place else What.VARIABLE
-        rank = 0 if place is wants_place else 1
+        own_type = _TYPES[kind]
+        fits = own_type in types
+        may = target not in sure and kind is Kind.VARIABLE and Type.POSE in types
+        if not fits and not may:
+            continue
+        rank = 0 if fits and place == (Type.POSE in types) else 1
         detail = kind.value + (f" of {target.program}" if target.program else "")
         yield Proposal(target.name, what, detail, "", rank)
 
 
-def _wants_location(asked: Asked) -> bool:
-    if asked.word is None or asked.call is not None or not asked.word.operands:
-        return False
-    operands = asked.word.operands
-    return operands[min(asked.operand, len(operands) - 1)] == "a location"
+def _signal_names(document: Document) -> set[str]:
+    """Return the variables that stand for signals somewhere in a file."""
+    found: set[str] = set()
+    for listed in _SIGNAL_PLACES.findall(document.source.text):
+        found.update(name.lower() for part in listed for name in _NAMES.findall(part))
+    known = document.names.by_target
+    return {n for n in found if Target(n, "variable") in known}
 
 
 def _labels(document: Document, asked: Asked) -> Iterator[Proposal]:

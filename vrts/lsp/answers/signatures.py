@@ -4,11 +4,13 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from vrts.lang.names import key
+from vrts.lang.vocabulary.function_forms import argument_names
 from vrts.lang.vocabulary.functions import FUNCTIONS
 from vrts.lsp.answers.symbols import header_of
+from vrts.lsp.answers.wanted import argument_of
 from vrts.lsp.documents.asking import asked_at
 from vrts.lsp.documents.documents import Document
-from vrts.lsp.documents.words import function_help, function_usage, instruction_help, parameters_of
+from vrts.lsp.documents.words import function_help, instruction_help, named_usage, parameters_of
 
 
 class Help(NamedTuple):
@@ -38,9 +40,11 @@ def signature(document: Document, offset: int, group: Sequence[Document]) -> Hel
                         return Help(text, about, formals, _within(call.argument, formals))
         function = FUNCTIONS.get(call.name.lower())
         if function is not None:
-            given = parameters_of(function)
-            about = function_help(function)
-            return Help(function_usage(function), about, given, _within(call.argument, given))
+            given = argument_names(function)
+            kinds = parameters_of(function)
+            about = f"{function_help(function)}; takes {', '.join(kinds) or 'nothing'}"
+            at = _within(argument_of(call, function), given)
+            return Help(named_usage(function), about, given, at)
     word = asked.word
     if word is None or not word.usage:
         return None

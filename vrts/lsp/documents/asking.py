@@ -20,6 +20,7 @@ class OpenCall(NamedTuple):
 
     name: str  # as written
     argument: int  # that the cursor stands in, from 0
+    inside: str = ""  # what stands in it before the cursor
 
 
 class Asked(NamedTuple):
@@ -94,7 +95,7 @@ def _open_call(before: str) -> OpenCall | None:
         at = open_.pop()
         name = _BEFORE_PARENTHESIS.search(before[:at])
         if before[at] == "(" and name is not None:
-            return OpenCall(name.group(1), _commas(before[at + 1 :]))
+            return OpenCall(name.group(1), _commas(before[at + 1 :]), before[at + 1 :])
     return None
 
 

@@ -1,6 +1,7 @@
 """Words of the language as help shows them."""
 
 from vrts.ir.values import Type
+from vrts.lang.vocabulary.function_forms import argument_names
 from vrts.lang.vocabulary.functions import Signature
 from vrts.lang.vocabulary.word import Word
 
@@ -37,6 +38,18 @@ def function_usage(function: Signature) -> str:
         listed = ", ".join(given[:by]) + " BY " + ", ".join(given[by:])
     else:
         listed = ", ".join(given)
+    return f"{function.name.upper()}({listed})"
+
+
+def named_usage(function: Signature) -> str:
+    """Return how a function is written, with a name for each argument."""
+    given = argument_names(function)
+    if not given:
+        return function.name.upper()
+    by = function.by or 0
+    listed = ", ".join(given[by:])
+    if by:
+        listed = ", ".join(given[:by]) + " BY " + listed
     return f"{function.name.upper()}({listed})"
 
 

@@ -8,10 +8,13 @@ import pytest
 from tests.places import ROOT
 from tests.support_lsp import Client, where
 from tests.unit.lsp.cursor import at
+from vrts.lang.vocabulary.function_forms import argument_names
+from vrts.lang.vocabulary.functions import FUNCTIONS
 from vrts.lsp.answers.completing import What, complete
 from vrts.lsp.answers.hovering import Hover, hover
 from vrts.lsp.answers.signatures import signature
 from vrts.lsp.documents.documents import Document
+from vrts.lsp.documents.words import named_usage
 
 EXAMPLE = ROOT / "examples" / "01-cans-on-bases"
 DATA = """.LOCATIONS
@@ -31,6 +34,9 @@ HEAD = """.PROGRAM place(n, $how)
 .PROGRAM main(mine)
         MOVE mine
         count = 3
+        $text = $MID($text, 1)
+        out = 3
+        SIGNAL out
         MOVE part
         SIGNAL 5
 10      GOTO 10
@@ -69,7 +75,7 @@ def test_a_location_shows_its_values() -> None:
         ("CALL pla|ce(1)", ".PROGRAM place(n, $how)", "puts one can on its base"),
         ("x = co|unt", "count = 12", "variable"),
         ("SIGNAL |5", "signal 5", "an output; used 2 times"),
-        ("GOTO 1|0", "label 10", "in line 11"),
+        ("GOTO 1|0", "label 10", "in line 14"),
         ("MOVE nowhe|re", "nowhere", "location; never given a value"),
         ("SPEED 10 ALW|AYS", "ALWAYS", "the setting holds"),
         ("MOVE mi|ne", "mine", "its own in `main`"),
@@ -97,7 +103,26 @@ def proposed(line: str, beside: list[Document] | None = None) -> dict[str, What]
     ("line", "wanted", "not_wanted"),
     [
         ("MO|", {"MOVE", "MOVES", "MOVET"}, {"part", "MOD"}),
-        ("MOVE p|", {"part", "part2", "PI"}, {"place", "MOVE"}),
+        ("MOVE p|", {"part", "part2"}, {"place", "MOVE", "PI"}),
+        ("MOVE |", {"part", "#ready", "mine", "TRANS"}, {"count", "$text", "PI", "SQRT", "$MID"}),
+        ("MOVE part:|", {"part", "TRANS"}, {"#ready", "count", "PI"}),
+        ("APPRO part, |", {"count", "SQRT"}, {"part", "$text", "#ready", "TRANS"}),
+        ("SPEED |", {"count", "PI", "SQRT"}, {"$text", "part", "$MID", "TRANS", "place"}),
+        ("SIGNAL |", {"5", "out", "count"}, {"part", "$text"}),
+        ("SIGNAL 5, -|", {"5", "out"}, {"part", "$text"}),
+        ("SPEED ou|", {"out"}, {"part"}),
+        ("REACT |", {"5", "out"}, {"part", "place"}),
+        ("BITS |", {"5"}, {"part"}),
+        ("TYPE |", {"$text", "count", "$MID"}, {"part", "TRANS"}),
+        ("x = |", {"count", "SQRT"}, {"part", "$text", "place", "$MID"}),
+        ("$text = |", {"$text", "$MID"}, {"part", "count", "SQRT"}),
+        ("SET part = |", {"part2", "TRANS"}, {"count", "$text", "SQRT"}),
+        ("x = DX(|", {"part", "TRANS"}, {"count", "$text", "#ready"}),
+        ("MOVE SHIFT(|", {"part"}, {"count", "$text"}),
+        ("MOVE SHIFT(part BY 1, |", {"count"}, {"part", "$text"}),
+        ("x = LEN(|", {"$text"}, {"part", "count"}),
+        ("IF |", {"count", "$text", "SIG"}, {"part"}),
+        ("MOVE part[|", {"count"}, {"part2", "$text"}),
         ("MOVE #|", {"#ready"}, {"part"}),
         ("CALL |", {"place", "main"}, {"part", "SQRT"}),
         ("GOTO |", {"10"}, {"part"}),
@@ -143,10 +168,11 @@ def test_a_name_typed_for_the_first_time_does_not_propose_itself() -> None:
     [
         ("APPRO |", "APPRO location, distance", "location"),
         ("APPRO part, |", "APPRO location, distance", "distance"),
-        ("x = ATAN2(1, |", "ATAN2(number, number)", "number"),
+        ("x = ATAN2(1, |", "ATAN2(y, x)", "x"),
         ("CALL place(1, |", "place(n, $how)", "$how"),
-        ("x = MAX(1, 2, 3, |", "MAX(number, number...)", "number..."),
-        ("MOVE TRANS(1, (2|", "TRANS(", "[number]"),
+        ("x = MAX(1, 2, 3, |", "MAX(a, b...)", "b..."),
+        ("MOVE TRANS(1, (2|", "TRANS(x, y, z, o, a, t)", "y"),
+        ("MOVE SHIFT(part BY 1, |", "SHIFT(location BY dx, dy, dz)", "dy"),
     ],
 )
 def test_what_comes_next(line: str, text: str, parameter: str) -> None:
@@ -156,6 +182,15 @@ def test_what_comes_next(line: str, text: str, parameter: str) -> None:
     assert found.text.startswith(text)
     assert found.parameters[found.active] == parameter
     assert parameter in found.text
+
+
+def test_each_argument_is_found_in_its_signature() -> None:
+    for function in FUNCTIONS.values():
+        text, at = named_usage(function), 0
+        for name in argument_names(function):
+            assert text.find(name) >= 0
+            at = text.index(name, at) + len(name)
+            assert at <= len(text), text
 
 
 def test_no_signature_in_a_comment() -> None:
@@ -172,16 +207,16 @@ def test_help_over_the_protocol(tmp_path: Path) -> None:
         value = found["contents"]["value"]
         assert "450.00   -120.00    -50.00" in value
         assert "reachable, lefty, above, noflip" in value.lower() or "not reachable" in value
-        assert found["range"]["start"] == {"line": 8, "character": 13}
+        assert found["range"]["start"] == {"line": 11, "character": 13}
 
-        client.change("mine.v2", "        AP", (9, 0), (9, 16))
-        found = client.about("completion", "mine.v2", (9, 10))
+        client.change("mine.v2", "        AP", (12, 0), (12, 16))
+        found = client.about("completion", "mine.v2", (12, 10))
         item = next(i for i in found["items"] if i["label"] == "APPROS")
-        assert item["textEdit"]["range"]["start"] == {"line": 9, "character": 8}
+        assert item["textEdit"]["range"]["start"] == {"line": 12, "character": 8}
         assert item["textEdit"]["newText"] == "APPROS"
 
-        client.change("mine.v2", "        APPRO part, ", (9, 0), (9, 10))
-        found = client.about("signatureHelp", "mine.v2", (9, 20))
+        client.change("mine.v2", "        APPRO part, ", (12, 0), (12, 10))
+        found = client.about("signatureHelp", "mine.v2", (12, 20))
         assert found["signatures"][0]["label"] == "APPRO location, distance"
         assert found["activeParameter"] == 1
         assert client.about("hover", "mine.v2", (900, 3)) is None

@@ -59,6 +59,7 @@ def test_it_ends_with_the_process_of_its_editor_and_ends_what_it_began(tmp_path:
     assert told == f"the editor, process {editor.pid}, is gone: so is its server\n"
 
 
+@pytest.mark.thorough
 def test_a_server_that_is_killed_leaves_no_run(tmp_path: Path) -> None:
     with Begun(tmp_path / "begun") as begun:
         client = Client(tmp_path, server=begun.server)
@@ -71,7 +72,7 @@ def test_a_server_that_is_killed_leaves_no_run(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("shut_down", [False, True])
 def test_the_status_tells_whether_the_client_said_goodbye(tmp_path: Path, shut_down: bool) -> None:
-    client = Client(tmp_path)
+    client = Client(tmp_path, server=(*SERVER, "--no-runs"))
     client.open("a.v2", ENDLESS)
     if shut_down:
         client.do("shutdown")
