@@ -135,7 +135,11 @@ class Session:
     def restarted(self) -> list[Event]:
         """Return what tells a client that it stands at the beginning again."""
         self._told = 0
-        return self.stopped(self.debugger.restart())
+        before = self.debugger.run.module
+        stop = self.debugger.restart()
+        if self.debugger.run.module is not before:
+            self.console.show(self.sources)
+        return self.stopped(stop)
 
     def moved(self) -> list[Event]:
         """Return what tells a client that what it shows is another future now."""

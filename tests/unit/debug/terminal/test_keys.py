@@ -179,6 +179,17 @@ def test_at_80_columns_every_screen_is_readable_at_a_contact(tmp_path: Path) -> 
         assert "hand      60.0 mm holds can1" in there.screen(columns, 30)
 
 
+def test_futures_are_gone_through_by_keys(sitting: Sitting) -> None:
+    sitting.press(":")
+    sitting.type("set n = 3")
+    sitting.press("u")
+    assert "future 1: the program as it was opened" in sitting.screen()
+    sitting.press("U")
+    assert "n = 3" in sitting.screen()
+    sitting.press("R")
+    assert "a saved run goes on with no other text" in sitting.screen()
+
+
 def test_lines_typed_before_come_back(sitting: Sitting) -> None:
     sitting.press(":")
     sitting.type("print far")
