@@ -25,6 +25,27 @@ LOOP = f""".PROGRAM main()
 .END
 """
 ENDLESS = ".PROGRAM main\n n = 0\n10 n = n+1\n WAIT n > 0\n GOTO 10\n.END\n"
+MANY = """.PROGRAM main()
+ FOR n = 1 TO 25000
+  SIGNAL 5
+  CALL sub(n)
+  SIGNAL -5
+ END
+.END
+.PROGRAM sub(a)
+ SIGNAL 7
+ SIGNAL -7
+.END
+"""
+QUESTIONS = (
+    "events",
+    "events where signal = 7 and time > 3 and value = 1",
+    'events where program = sub or text ~ "signal 5" by line down',
+    "events signal first 10",
+    "calls",
+    "calls where depth > 1 and took >= 0 by took down",
+    'calls where arguments ~ "a = 777"',
+)
 WISHES = {
     "a condition on a real": Breakpoint(1, "main.v2", 3, condition="n == 100000"),
     "... with arithmetic": Breakpoint(1, "main.v2", 4, condition="INT(x)+1 == 50001 AND n > 5"),
@@ -83,3 +104,14 @@ def test_steps() -> None:
     for _ in range(1000):
         d.step_back()
     print(f"\na step: {(process_time() - before) / 2000 * 1e3:.3f} ms")
+
+
+def test_tables_of_a_hundred_thousand_events() -> None:
+    run = execute(compiled(MANY, "val2+"), robot_alone())
+    print(f"\n{len(run.events):,} events")
+    d = Debugger(run, DIALECTS["val2+"])
+    for question in QUESTIONS:
+        table, _, rest = question.partition(" ")
+        before = process_time()
+        found = d.tables.asked(table, rest, d.at)
+        print(f"{question:62} {process_time() - before:6.2f} s, {found.total:,} rows")

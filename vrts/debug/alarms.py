@@ -127,13 +127,16 @@ class Alarms:
         order = {kind: place for place, kind in enumerate(Filter)}
         return sorted(found, key=lambda alarm: (alarm.instant, order[alarm.filter], alarm.text))
 
+    def met(self) -> list[tuple[Alarm, ContactEvent | NearMiss]]:
+        """Return the contacts and the near misses, each with its alarm."""
+        contacts = [(self._alarm(Filter.CONTACT, e), e) for e in self.report.contacts]
+        return [
+            *contacts,
+            *((self._alarm(Filter.NEAR_MISS, e), e) for e in self.report.near_misses),
+        ]
+
     def _collisions(self, filters: frozenset[Filter]) -> list[Alarm]:
-        found: list[Alarm] = []
-        if Filter.CONTACT in filters:
-            found += [self._alarm(Filter.CONTACT, event) for event in self.report.contacts]
-        if Filter.NEAR_MISS in filters:
-            found += [self._alarm(Filter.NEAR_MISS, event) for event in self.report.near_misses]
-        return found
+        return [alarm for alarm, _ in self.met() if alarm.filter in filters]
 
     def _alarm(self, kind: Filter, event: ContactEvent | NearMiss) -> Alarm:
         first, second = event.parts

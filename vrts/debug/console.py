@@ -7,12 +7,16 @@ from pathlib import Path
 from vrts.base.diagnostic import Diagnostic
 from vrts.base.source import SourceFile
 from vrts.check.rules.hints import Hints, without_remedy
-from vrts.debug.debugger import Debugger
+from vrts.debug.debugger import Debugger, Stop, Why
 from vrts.debug.evaluating import CannotTell, evaluate, worked_out
+from vrts.debug.events.asking import TABLES
+from vrts.debug.events.asking import Answer as Told
 from vrts.debug.files import Files
 from vrts.debug.frames import Frame, frames
 from vrts.debug.giving import Target, command_for, given, target_of
 from vrts.debug.history import answers
+from vrts.debug.marks.deeds import WORDS, Marking
+from vrts.debug.marks.goals import Goals
 from vrts.debug.passages import Instant
 from vrts.engine.memory.cells import Bound
 from vrts.ir.commands import Answer, Command, SetLocal
@@ -36,6 +40,7 @@ _ASKED = re.compile(
     r"(?:\[[-\d, ]+\]|\(\s*\d+\s*\)|\s\d+|\s+output\s+\d+)?))?\s*",
     re.I,
 )
+_TOLD = re.compile(rf"\s*(?P<word>{'|'.join((*TABLES, *WORDS))})(?:\s+(?P<rest>.*?))?\s*", re.I)
 NO_HINTS = "the task allows no hints"
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)")
 
@@ -60,8 +65,8 @@ class Console:
         self._debugger = debugger
         self._folder = folder
         self.request, self.files = request, files
-        self._rows: list[Instant] = []  # where the numbers lead that were shown last
-        self._asked_of = debugger.run
+        self.goals = Goals(debugger.run)
+        self.marking = Marking(debugger, self.goals)
         self.show(sources)
 
     @property
@@ -108,6 +113,9 @@ class Console:
             asked = _ASKED.fullmatch(line)
             if asked is not None and self._is_question(asked["word"].lower(), asked["of"]):
                 return f"{self.ask(asked['word'].lower(), asked['of'] or '', frame)}\n"
+            told = _TOLD.fullmatch(line)
+            if told is not None and (told["rest"] or not self._is_variable(told["word"].lower())):
+                return self._told(told["word"].lower(), told["rest"] or "", frame)
             try:
                 value = self.value(line, frame)
             except CannotTell as problem:
@@ -135,8 +143,8 @@ class Console:
             told = self.changed(word, name, frame)
         except CannotTell as problem:
             return str(problem)
-        lines, self._rows = answers.rows(told)
-        self._asked_of = self._debugger.run
+        lines, goes = answers.rows(told)
+        self._show(goes)
         return "\n".join(lines)
 
     def changed(
@@ -154,21 +162,29 @@ class Console:
         return asked(debugger.run, name, debugger.at, frame)
 
     def go(self, text: str) -> str:
-        """Go to a numbered row of the last answer; return where it stands then.
+        """Go to a numbered row of the last answer, or to a mark; return where it stands then.
 
         Raises:
-            CannotTell: There is no such row.
+            CannotTell: There is no such row and no such mark.
         """
-        number = text.strip() or "1"
-        if not number.isdecimal() or len(number) > 6 or not 1 <= int(number) <= len(self._rows):
-            many = len(self._rows)
-            listed = f"1 to {many}" if many > 1 else "only 1" if many else "nothing yet"
-            raise CannotTell(f"`go` takes the number of a row that was shown last: {listed}")
-        instant = self._rows[int(number) - 1]
-        if self._asked_of is not self._debugger.run:
-            raise CannotTell("that row is of another future: ask again")
-        self._debugger.go(instant)
-        return f"at {instant.time_s:.3f} s"
+        stop = self._debugger.go_to(self.goals.stop(self._debugger.run, text))
+        about = f": {stop.text}" if stop.text else ""
+        return f"at {stop.instant.time_s:.3f} s{about}"
+
+    def table(self, name: str, text: str) -> Told:
+        """Return the rows of `events` or `calls` that fit a question; `go` leads to each.
+
+        Raises:
+            CannotTell: The question cannot be read.
+        """
+        debugger = self._debugger
+        answer = debugger.tables.asked(name, text, debugger.at)
+        self.goals.show(debugger.run, [row.go for row in answer.rows])
+        return answer
+
+    def _show(self, goes: Sequence[Instant]) -> None:
+        """Let numbers lead to instants, from 1 on."""
+        self.goals.show(self._debugger.run, [Stop(instant, Why.STEP) for instant in goes])
 
     def why(self, name: str | None = None, frame: Frame | None = None) -> str:
         """Return why the arm does what it does, or a name is what it is, with numbers to go to.
@@ -180,11 +196,12 @@ class Console:
         except CannotTell as problem:
             return str(problem)
         lines = [effect]
-        self._rows, self._asked_of = [], self._debugger.run
+        goes: list[Instant] = []
         for text, _, place in links:
             if place is not None:
-                self._rows.append(place)
-            lines.append(f"{len(self._rows) if place is not None else '-'} {text}")
+                goes.append(place)
+            lines.append(f"{len(goes) if place is not None else '-'} {text}")
+        self._show(goes)
         return "\n".join(lines)
 
     def causes(
@@ -203,9 +220,25 @@ class Console:
         places = [answers.place_of(debugger.run, link) for link in chain.links]
         return chain.effect, list(zip(lines, chain.links, places, strict=True))
 
+    def _told(self, word: str, rest: str, frame: Frame | None) -> str:
+        """Return what `events`, `calls`, `marks` and their like say."""
+        try:
+            if word in TABLES:
+                answer = self.table(word, rest)
+                return "".join(
+                    f"{line}\n" for line in (*(r.text for r in answer.rows), *answer.says)
+                )
+            process = frame is not None and frame.process
+            return "".join(f"{line}\n" for line in self.marking.told(word, rest, process=process))
+        except CannotTell as problem:
+            return f"{problem}\n"
+
+    def _is_variable(self, word: str) -> bool:
+        return word in self._debugger.state.variables
+
     def _is_question(self, word: str, name: str | None) -> bool:
         """Return whether a line asks: a variable of such a name is asked for its value."""
-        if name is None and word in self._debugger.state.variables:
+        if name is None and self._is_variable(word):
             return False
         return word != "next" or name is None or not name.strip().isdecimal()
 

@@ -18,6 +18,7 @@ from vrts.debug.branches.tree import Branch, By, Tree, first_branch
 from vrts.debug.breakpoints import Breakpoint
 from vrts.debug.conditions.hearing import Hear, nobody
 from vrts.debug.evaluating import commands_at
+from vrts.debug.events.asking import Tables
 from vrts.debug.passages import (
     Instant,
     Passages,
@@ -29,7 +30,7 @@ from vrts.debug.stops.stop import Logged, Stop, Way, Why, Wishes
 from vrts.debug.stops.stops import Stops
 from vrts.engine.controller import AFTERWARDS, forked
 from vrts.engine.faults import NO_ANSWER
-from vrts.engine.memory.events import CommandRefused
+from vrts.engine.memory.events import Cause, CommandRefused
 from vrts.engine.memory.records import Ending
 from vrts.engine.run import Run, State
 from vrts.ir.commands import Command
@@ -88,6 +89,11 @@ class Debugger:
         return self._task
 
     @property
+    def first(self) -> Run:
+        """The run as it was opened, without any change."""
+        return self._tree.branches[0].run
+
+    @property
     def at(self) -> Instant:
         """The instant at which it stands."""
         return self.stop.instant
@@ -101,6 +107,11 @@ class Debugger:
     def alarms(self) -> Alarms:
         """What should never happen, of the run as it goes."""
         return self._alarms
+
+    @property
+    def tables(self) -> Tables:
+        """All events and calls of the run as it goes."""
+        return self._tables
 
     @property
     def at_end(self) -> bool:
@@ -117,6 +128,15 @@ class Debugger:
     def passages(self, *, process: bool) -> Passages:
         """Return what the robot program or the process control program executes."""
         return self._passages[process]
+
+    def current(self, *, process: bool) -> Cause | None:
+        """Return the step that a program executes next, or executed last."""
+        state = self.state
+        stack = state.process_stack if process else state.call_stack
+        if stack:
+            return stack[-1]
+        passages = self._passages[process]
+        return passages.cause(passages.count - 1) if passages.count else None
 
     # --- steps --------------------------------------------------------------------------------
 
@@ -184,8 +204,12 @@ class Debugger:
 
     def go(self, instant: Instant) -> Stop:
         """Go to an instant as `jump` does to a time: before or after a statement of its tick."""
+        return self.go_to(Stop(instant, Why.STEP))
+
+    def go_to(self, stop: Stop) -> Stop:
+        """Go to a place and stand there for the reason it gives."""
         self._trail.clear()
-        return self._stand(Stop(instant, Why.STEP))
+        return self._stand(stop)
 
     # --- going on -----------------------------------------------------------------------------
 
@@ -296,13 +320,13 @@ class Debugger:
     def whole(self) -> Generator[None]:
         """Let what is done inside be done as a whole: where it fails, all is as it was before."""
         run, alarms, passages, stops = self._run, self._alarms, self._passages, self._stops
-        stop, trail = self.stop, list(self._trail)
+        tables, stop, trail = self._tables, self.stop, list(self._trail)
         tree, dialect = self._tree, self.dialect
         try:
             yield
         except BaseException:
             self._run, self._alarms, self._passages, self._stops = run, alarms, passages, stops
-            self.stop, self._trail = stop, trail
+            self._tables, self.stop, self._trail = tables, stop, trail
             self._tree, self.dialect = tree, dialect
             raise
 
@@ -331,6 +355,7 @@ class Debugger:
         self._alarms = Alarms(run, self._near_miss_m, self._task, self.memory, hear)
         self._passages = {of: Passages(run, process=of) for of in (False, True)}
         self._stops = Stops(run, self._passages, self._alarms, self.dialect)
+        self._tables = Tables(run, self._alarms)
 
     def _caused(self) -> Instant | None:
         """Return when the step that caused the alarm came next, where it stands at one."""

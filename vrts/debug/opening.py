@@ -11,6 +11,8 @@ from vrts.check.rules.hints import Hints
 from vrts.debug.console import Console
 from vrts.debug.debugger import Debugger
 from vrts.debug.files import Files
+from vrts.debug.marks.links import Opener
+from vrts.debug.marks.marks import SUFFIX, Marks
 from vrts.pipeline.alone import robot_alone
 from vrts.pipeline.compiling.reading import ProgramFile, Reading
 from vrts.pipeline.controllers import with_controller
@@ -74,6 +76,8 @@ def opened(asked: Asked, near_miss_m: float | None = None) -> Opened:
     debugger = Debugger(run, compilation.dialect, near, told, memory)
     sources = _sources(debugger)
     console = Console(debugger, path.parent, sources, hints, request, files)
+    console.goals.marks = Marks(path.with_name(path.name + SUFFIX))
+    console.marking.opener = opener_of(asked)
     return Opened(debugger, console, sources, found.diagnostics, files)
 
 
@@ -84,6 +88,30 @@ def why_not(diagnostics: Sequence[Diagnostic]) -> str:
         return "there is no program to execute"
     where = f"line {found.primary.span.line}: " if found.primary is not None else ""
     return f"{where}{found.headline} ({found.rule.code})"
+
+
+def opener_of(asked: Asked) -> Opener:
+    """Return what opens the same again at a terminal, in whatever folder."""
+    where = asked.where
+    shown = [str(asked.program.resolve())]
+    for name in ("scene", "task", "controller"):
+        value = getattr(where, name)
+        shown += [] if value is None else [f"--{name}", _absolute(value)]
+    more: list[str] = []
+    for name, value in (
+        ("scenario", where.scenario),
+        ("lab", where.lab),
+        ("entry", asked.entry),
+        ("dialect", asked.dialect),
+        *(("with", other) for other in asked.others),
+    ):
+        more += [] if value is None else [f"--{name}", _absolute(value)]
+    return Opener([*shown, *more], None if more else shown)
+
+
+def _absolute(value: str | Path) -> str:
+    """Return the name of a file from the root; any other name as it is."""
+    return str(Path(value).resolve()) if Path(value).exists() else str(value)
 
 
 def _read(asked: Asked, program: Path, setting: Setting) -> list[Path]:

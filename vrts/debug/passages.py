@@ -129,6 +129,22 @@ def at_time(run: Run, time_s: float) -> Instant:
     return Instant(time_s, run.history.finished_at(time_s))
 
 
+def statements_at(run: Run, time_s: float) -> tuple[int, int]:
+    """Return how many statements are finished before and after what happens at a time [s]."""
+    before = time_s - run.history.tick_s / 2
+    first = first_instant(run) if before <= 0.0 else at_time(run, before)
+    return first.finished, at_time(run, time_s).finished
+
+
+def executes(run: Run, number: int, *, process: bool) -> int | None:
+    """Return the instruction that a statement was, where that program executed it."""
+    trace = (run.history.process if process else run.history.robot).trace
+    index = trace.executed(number) - 1
+    if index < 0 or trace.executed(number - 1) != index:
+        return None
+    return trace.instructions[index]
+
+
 def first_instant(run: Run) -> Instant:
     """Return the instant at which nothing has happened."""
     return Instant(0.0, 0)

@@ -49,6 +49,7 @@ Examples:
   vrts debug prog.v2 --scene cans-on-bases
   vrts debug out.vrun --at 6.2
   vrts debug prog.v2 --break 12 --command 'continue; print i; why' --json
+  vrts debug prog.v2 --command 'events where kind = contact; go 1; link'
 n and N go a step forward and back, c and C to the next stop and the one before, v and V show the
 moment in the browser and in the Rerun viewer, : takes a command; ? shows all keys. With --command
 or --commands no terminal is needed, and the exit status is 1 when a command was refused or an
@@ -68,6 +69,12 @@ STDIN = "-"
 @with_option()
 @dialect_option("Dialect; without it vrts looks at file name and content.", auto=False)
 @click.option("--at", "time_s", type=float, help="Begin at this time [s].")
+@click.option(
+    "--step",
+    "statements",
+    type=click.IntRange(0),
+    help="... where so many statements are finished, as `link` prints it.",
+)
 @click.option(
     "--break", "points", metavar="LINE[:CONDITION]", multiple=True, help="Stop there; repeatable."
 )
@@ -100,6 +107,7 @@ def command(
     others: tuple[str, ...],
     dialect: str | None,
     time_s: float | None,
+    statements: int | None,
     points: tuple[str, ...],
     texts: tuple[str, ...],
     file: Path | None,
@@ -129,8 +137,10 @@ def command(
     asked = Asked(program, where, entry, tuple(map(Path, others)), dialect)
     found = _opened(asked, color)
     first = [f"break {point}" for point in points]
+    if statements is not None and time_s is None:
+        fail("`--step` goes with `--at`", ("`link` in the debugger prints both",))
     if time_s is not None:
-        first.append(f"at {time_s!r}")
+        first.append(f"at {time_s!r}" + ("" if statements is None else f" step {statements}"))
     if lines is None:
         _at_terminal(asked, found, first, record)
         return

@@ -55,6 +55,7 @@ Examples:
 @task_option()
 @controller_option
 @click.option("--viewer", type=click.Choice(["browser", "rerun"]), default="browser")
+@click.option("--at", "time_s", type=click.FloatRange(0.0), help="Open it at this time [s].")
 @click.option(
     "--still", type=float, help="Draw the moment at this time [s] as a PNG picture instead."
 )
@@ -67,6 +68,7 @@ def command(
     program: Path,
     where: Where,
     viewer: str,
+    time_s: float | None,
     still: float | None,
     target: Path | None,
     no_open: bool,
@@ -80,6 +82,8 @@ def command(
     file = program
     if file.suffix in (RECORDING, RUN) and where != ANYWHERE:
         fail(f"the scene of `{file.name}` is in it", ("leave out `--scene` and `--task`",))
+    if time_s is not None and (still is not None or viewer == "rerun" or file.suffix == RECORDING):
+        fail("`--at` is for the page: `--still` draws a moment of its own")
     if file.suffix == RECORDING:
         if still is not None or target is not None:
             fail(f"`{file.name}` is a recording already", ("give the program or its .vrun",))
@@ -98,7 +102,7 @@ def command(
     if still is not None:
         _draw(found, still, target or Path(f"{file.stem}.png"))
     else:
-        _show(found, viewer, target, no_open=no_open)
+        _show(found, viewer, target, time_s, no_open=no_open)
     sys.exit(HOLDS)
 
 
@@ -149,7 +153,9 @@ def _draw(found: "Assessment", time_s: float, target: Path) -> None:
     say(f"wrote {target}")
 
 
-def _show(found: "Assessment", viewer: str, target: Path | None, *, no_open: bool) -> None:
+def _show(
+    found: "Assessment", viewer: str, target: Path | None, time_s: float | None, *, no_open: bool
+) -> None:
     """Write a file, beside where we are or where nobody looks for it, and open it."""
     name = f"{found.identifier}{RECORDING if viewer == 'rerun' else '.html'}"
     if target is None and no_open:
@@ -162,14 +168,15 @@ def _show(found: "Assessment", viewer: str, target: Path | None, *, no_open: boo
     else:
         write_page(found, path)
     if target is not None:
-        say(f"wrote {target}")
+        at = "" if time_s is None else f"; `#t={time_s:.3f}` behind its address is the time"
+        say(f"wrote {target}{at}")
     if not no_open:
-        _open(path, viewer)
+        _open(path, viewer, time_s)
 
 
-def _open(path: Path, viewer: str) -> None:
+def _open(path: Path, viewer: str, time_s: float | None = None) -> None:
     if viewer == "browser":
-        open_page(path)
+        open_page(path, time_s)
         return
     program = shutil.which("rerun", path=str(Path(sys.executable).parent)) or shutil.which("rerun")
     if program is None:

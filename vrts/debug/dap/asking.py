@@ -1,9 +1,10 @@
-"""Requests of ours about causes: `vrts/who`, `vrts/next`, `vrts/why`, and `vrts/go` to one."""
+"""Requests of ours: `vrts/who`, `vrts/next`, `vrts/why`, `vrts/events`, and `vrts/go` to a row."""
 
 from collections.abc import Callable, Mapping
 
-from vrts.debug.dap.arguments import Fields
+from vrts.debug.dap.arguments import BadRequest, Fields
 from vrts.debug.dap.session import Answer, Json, Session, source_body
+from vrts.debug.events.asking import COLUMNS, TABLES
 from vrts.debug.history.answers import Found
 from vrts.debug.passages import Instant
 
@@ -34,9 +35,32 @@ def _why(session: Session, a: Fields) -> Answer:
     return Answer({"effect": effect, "rows": rows})
 
 
+def _events(session: Session, a: Fields) -> Answer:
+    """Return rows of the table of events, or of calls, that fit a question."""
+    name = a.optional("table") or "events"
+    if name not in TABLES:
+        raise BadRequest(f"there is no table `{name}`: {' or '.join(TABLES)}")
+    found = session.console.table(name, a.optional("query") or "")
+    rows: list[Json] = []
+    for each in found.rows:
+        row: Json = {"number": each.number, "text": each.words, "go": _place(each.go.instant)}
+        row |= each.values
+        if each.cause is not None:
+            row["source"] = source_body(each.cause.span.source)
+        rows.append(row)
+    columns = COLUMNS[name]
+    named = [{"name": n, "unit": c.unit, "says": c.says} for n, c in columns.items()]
+    return Answer({"columns": named, "rows": rows, "total": found.total, "says": found.says})
+
+
 def _go(session: Session, a: Fields) -> Answer:
-    """Go to a place that an answer has named, as far as the run has it."""
+    """Go to a row or a mark, or to a place that an answer has named, as far as the run has it."""
     debugger = session.debugger
+    row = a.whole_or_none("row")
+    name = str(row) if row is not None else a.optional("mark")
+    if name is not None:
+        session.console.go(name)
+        return Answer({}, session.stopped(debugger.stop))
     run = debugger.run
     time_s = min(max(a.number("time", 0.0), 0.0), run.horizon_s)
     finished = min(max(a.whole("statements"), 0), run.statements)
@@ -69,5 +93,6 @@ ASKING: Mapping[str, Callable[[Session, Fields], Answer]] = {
     "vrts/who": _who,
     "vrts/next": _next,
     "vrts/why": _why,
+    "vrts/events": _events,
     "vrts/go": _go,
 }

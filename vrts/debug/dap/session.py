@@ -30,7 +30,7 @@ ROBOT, PROCESS = 1, 2  # threads
 FRAMES = 100_000  # numbers of frames that a thread may have
 OF_CAUSE = FRAMES - 1  # that of the step that caused an alarm
 MOST_OUTPUT = 200_000  # characters sent at once
-_REASONS = {Why.BEGIN: "entry", Why.END: "pause"}
+_REASONS = {Why.BEGIN: "entry", Why.END: "pause", Why.GO: "goto"}
 _WORDS = {
     Why.ENTRY: "At the beginning,",
     Why.STEP: "Step,",
@@ -38,6 +38,7 @@ _WORDS = {
     Why.CHANGE: "Change,",
     Why.ALARM: "Alarm,",
     Why.GOTO: "Another step,",
+    Why.GO: "Gone to,",
     Why.BEGIN: "At the beginning,",
     Why.END: "At the end,",
 }
@@ -72,6 +73,7 @@ class Session:
         self.debugger.wishes = other.debugger.wishes
         self.lines, self._next_id = other.lines, other._next_id
         self._futures = other._futures
+        self.console.goals.marks = other.console.goals.marks
 
     def new_id(self) -> int:
         """Return a number for a breakpoint."""

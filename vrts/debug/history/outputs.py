@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterator
 
 from vrts.debug.history.track import Moment, Track, joined
-from vrts.debug.passages import Instant
+from vrts.debug.passages import Instant, executes
 from vrts.engine.memory.events import (
     AnalogChanged,
     Cause,
@@ -86,9 +86,5 @@ def _moments(run: Run, fits: Callable[[Event], bool]) -> Iterator[Moment]:
 def _did(run: Run, number: int, cause: Cause) -> bool:
     """Return whether a statement is one of the step."""
     listed = run.history.code.causes
-    for program in (run.history.robot, run.history.process):
-        trace = program.trace
-        index = trace.executed(number) - 1
-        if index >= 0 and trace.executed(number - 1) == index:
-            return listed[trace.instructions[index]] == cause
-    return False
+    done = (executes(run, number, process=process) for process in (False, True))
+    return any(instruction is not None and listed[instruction] == cause for instruction in done)

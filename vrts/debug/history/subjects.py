@@ -2,7 +2,6 @@
 
 import re
 from collections.abc import Iterator
-from difflib import get_close_matches
 
 from vrts.debug.evaluating import CannotTell
 from vrts.debug.frames import Frame, frames
@@ -11,6 +10,7 @@ from vrts.debug.history.cells import of_bound
 from vrts.debug.history.outputs import of_analog, of_signal, of_speed, of_switch
 from vrts.debug.history.things import of_held, of_thing
 from vrts.debug.history.track import Track
+from vrts.debug.near import near_words
 from vrts.debug.passages import Instant
 from vrts.engine.memory.cells import Array, Bound
 from vrts.engine.run import Run
@@ -51,8 +51,7 @@ def tracks(run: Run, name: str, at: Instant, frame: Frame | None = None) -> list
     if found:
         return found
     known = {b.name for b in run.history.memory.bound} | set(run.placements) | set(_MADE)
-    near = get_close_matches(key(text).partition("[")[0], sorted(known), 3, 0.6)
-    meant = f": {' or '.join(f'`{each}`' for each in near)}?" if near else ""
+    meant = near_words(key(text).partition("[")[0], known)
     raise CannotTell(f"nothing here is called `{text}`{meant}")
 
 

@@ -2,12 +2,18 @@
 
 from vrts.debug.editing.futures import gave_up
 from vrts.debug.evaluating import CannotTell
-from vrts.debug.scripted import changing, going, looking, stopping
-from vrts.debug.scripted.names import near_words
+from vrts.debug.near import near_words
+from vrts.debug.scripted import changing, going, looking, marking, stopping
 from vrts.debug.scripted.places import place_of
 from vrts.debug.scripted.session import Deed, Done, Refusal, Row, Session, is_assigned
 
-DEEDS: dict[str, Deed] = {**going.DEEDS, **stopping.DEEDS, **looking.DEEDS, **changing.DEEDS}
+DEEDS: dict[str, Deed] = {
+    **going.DEEDS,
+    **stopping.DEEDS,
+    **looking.DEEDS,
+    **marking.DEEDS,
+    **changing.DEEDS,
+}
 
 
 def carry_out(session: Session, line: str) -> Done:

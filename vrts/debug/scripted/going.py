@@ -2,7 +2,10 @@
 
 from vrts.debug.breakpoints import resolve
 from vrts.debug.debugger import Way
+from vrts.debug.marks.same import comes_to
+from vrts.debug.passages import Instant, statements_at
 from vrts.debug.scripted.session import Deed, Done, Refusal, Session, nothing, one_of
+from vrts.engine.run import Run
 
 
 def _step(session: Session, rest: str, done: Done) -> None:
@@ -41,17 +44,36 @@ def _to(session: Session, rest: str, done: Done) -> None:
 
 def _at(session: Session, rest: str, done: Done) -> None:
     done.moved = True
-    horizon_s = session.debugger.run.horizon_s
-    known = {"begin": 0.0, "end": horizon_s}
+    debugger = session.debugger
+    run = debugger.run
+    known = {"begin": 0.0, "end": run.horizon_s}
+    time, _, step = (part.strip() for part in rest.partition(" step "))
     try:
-        time_s = known[rest] if rest in known else float(rest)
+        time_s = known[time] if time in known else float(time)
     except ValueError:
         raise Refusal("`at` takes a time [s], `begin` or `end`") from None
     if not -1.0 <= time_s <= 1e9:
-        raise Refusal(f"the run goes from 0 to {horizon_s:.3f} s")
-    session.debugger.jump(time_s)
-    if time_s > horizon_s + 1e-3:
-        done.said.append(f"the run goes from 0 to {horizon_s:.3f} s")
+        raise Refusal(f"the run goes from 0 to {run.horizon_s:.3f} s")
+    if step:
+        debugger.go(_within(run, time_s, step))
+        return
+    debugger.jump(time_s)
+    if time_s > run.horizon_s + 1e-3:
+        done.said.append(f"the run goes from 0 to {run.horizon_s:.3f} s")
+
+
+def _within(run: Run, time_s: float, step: str) -> Instant:
+    """Return the instant of a time at which so many statements are finished."""
+    if not step.isdecimal() or len(step) > 12:
+        raise Refusal(f"`{step}` is no number of statements: `at 6.2 step 17`")
+    if not 0.0 <= time_s <= run.horizon_s:
+        raise Refusal(f"the run goes from 0 to {run.horizon_s:.3f} s")
+    instant = Instant(time_s, int(step))
+    if not comes_to(run, instant):
+        least, most = statements_at(run, time_s)
+        some = f"{least:,} to {most:,}" if least < most else f"{most:,}"
+        raise Refusal(f"at {time_s:g} s {some} statements are finished, not {int(step):,}")
+    return instant
 
 
 def _restart(session: Session, rest: str, done: Done) -> None:

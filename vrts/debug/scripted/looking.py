@@ -3,13 +3,10 @@
 from collections.abc import Iterator
 
 from vrts.debug.frames import frames
-from vrts.debug.scripted.session import Deed, Done, Refusal, Row, Session, nothing
+from vrts.debug.scripted.session import Deed, Done, Refusal, Session, nothing
 from vrts.debug.scripted.table import help_lines
 from vrts.debug.values import Shown, scopes
 from vrts.monitor.listings import value_text
-from vrts.report.event_words import event_text
-
-MOST_EVENTS = 200  # rows of one answer
 
 
 def _print(session: Session, rest: str, done: Done) -> None:
@@ -74,22 +71,16 @@ def _go(session: Session, rest: str, done: Done) -> None:
 
 
 def _events(session: Session, rest: str, done: Done) -> None:
-    words = rest.lower().split()
-    until = session.debugger.at.finished
-    if "all" in words:
-        words.remove("all")
-        until = session.debugger.run.statements
-    run = session.debugger.run
-    for event, number in zip(run.events, run.event_numbers, strict=True):
-        told = event_text(event) if number <= until else None
-        if told is not None and all(word in " ".join(told).lower() for word in words):
-            done.events.append(Row(event.time_s, *told))
-    left = len(done.events) - MOST_EVENTS
-    if left > 0:
-        done.events = done.events[-MOST_EVENTS:]
-        done.said.append(f"the last {MOST_EVENTS} of {MOST_EVENTS + left:,}")
-    if not done.events:
-        done.said.append("no such event")
+    _table(session, "events", rest, done)
+
+
+def _calls(session: Session, rest: str, done: Done) -> None:
+    _table(session, "calls", rest, done)
+
+
+def _table(session: Session, name: str, rest: str, done: Done) -> None:
+    done.table = session.console.table(name, rest)
+    done.said += done.table.says
 
 
 def _help(session: Session, rest: str, done: Done) -> None:
@@ -117,5 +108,6 @@ DEEDS: dict[str, Deed] = {
     "next": _next,
     "go": _go,
     "events": _events,
+    "calls": _calls,
     "help": _help,
 }

@@ -2,11 +2,11 @@
 
 import re
 from collections.abc import Iterable
-from difflib import get_close_matches
 
 from vrts.base.diagnostic import Severity
 from vrts.base.source import SourceFile
 from vrts.debug.debugger import Debugger
+from vrts.debug.near import near_words
 from vrts.engine.memory.cells import Array
 from vrts.ir.values import Value
 from vrts.lang.names import key
@@ -16,7 +16,6 @@ from vrts.monitor.programs import in_view
 _SIGNAL = re.compile(r"(?:SIG|SIGNAL)?\s*\(?\s*(\d{1,5})\s*\)?", re.IGNORECASE)
 _NAME = re.compile(r"[$#]?[A-Za-z][\w.]*\s*(\[[\d\s,]+\])?", re.ASCII)
 _QUOTED = re.compile(r"`([^`]+)`")
-_MOST_NEAR = 3
 
 
 def names_of(debugger: Debugger) -> dict[str, Value]:
@@ -47,8 +46,7 @@ def unwatchable(debugger: Debugger, name: str) -> str:
 
 
 def _unknown(name: str, known: Iterable[str]) -> str:
-    near = get_close_matches(key(name).partition("[")[0], sorted(known), _MOST_NEAR, 0.5)
-    return f"there is no `{name}` here" + (f": {_or(near)}?" if near else "")
+    return f"there is no `{name}` here{near_words(key(name).partition('[')[0], known, 0.5)}"
 
 
 def bases(debugger: Debugger) -> set[str]:
@@ -82,14 +80,3 @@ def _stand_in(name: str) -> Value:
     if name.startswith("$"):
         return ""
     return (0.0, 0.0, 0.0, 0.0, 0.0, 0.0) if name.startswith("#") else 0.0
-
-
-def _or(words: list[str]) -> str:
-    quoted = [f"`{word}`" for word in words]
-    return " or ".join([", ".join(quoted[:-1]), quoted[-1]] if len(quoted) > 1 else quoted)
-
-
-def near_words(word: str, known: Iterable[str]) -> str:
-    """Return words that are nearly one, as a question; nothing where none is."""
-    near = get_close_matches(word, sorted(known), _MOST_NEAR, 0.6)
-    return f": {_or(near)}?" if near else ""

@@ -18,6 +18,7 @@ WORDS = {
     Why.CHANGE: "change",
     Why.ALARM: "ALARM",
     Why.GOTO: "another step",
+    Why.GO: "gone to",
     Why.BEGIN: "at the beginning",
     Why.END: "at the end",
 }
@@ -28,6 +29,7 @@ NAMES = {
     Why.CHANGE: "change",
     Why.ALARM: "alarm",
     Why.GOTO: "jump",
+    Why.GO: "go",
     Why.BEGIN: "begin",
     Why.END: "end",
 }
@@ -73,12 +75,7 @@ def place_of(debugger: Debugger, *, process: bool) -> Place:
 
 def current(debugger: Debugger, *, process: bool) -> Cause | None:
     """Return the step that a program executes next, or executed last."""
-    state = debugger.state
-    stack = state.process_stack if process else state.call_stack
-    if stack:
-        return stack[-1]
-    passages = debugger.passages(process=process)
-    return passages.cause(passages.count - 1) if passages.count else None
+    return debugger.current(process=process)
 
 
 def source_of(debugger: Debugger, *, process: bool) -> SourceFile | None:

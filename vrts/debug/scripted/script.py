@@ -37,7 +37,8 @@ def performed(session: Session, lines: Sequence[Line], limit_s: float) -> Iterat
                 command = line.text
                 done = carry_out(session, command)
                 yield done
-                written += len(done.said) + len(done.events) + len(done.log) + 1
+                written += len(done.said) + len(done.log) + 1
+                written += 0 if done.table is None else len(done.table.rows)
                 if written > MOST_WRITTEN:
                     text = f"a script writes at most {MOST_WRITTEN:,} lines: the rest is left out"
                     yield _ended(session, "limit", text)

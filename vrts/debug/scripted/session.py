@@ -10,6 +10,7 @@ from vrts.base.source import SourceFile
 from vrts.debug.console import Console
 from vrts.debug.debugger import Debugger
 from vrts.debug.evaluating import CannotTell
+from vrts.debug.events.asking import Answer
 from vrts.debug.frames import Frame, frames
 from vrts.debug.scripted.places import Place, source_of
 from vrts.ir.values import Value
@@ -48,7 +49,7 @@ class Done:
     said: list[str] = field(default_factory=list[str])
     value: Value | None = None
     reasons: list[str] = field(default_factory=list[str])
-    events: list[Row] = field(default_factory=list[Row])
+    table: Answer | None = None  # rows of events or calls
     log: list[Row] = field(default_factory=list[Row])
 
 

@@ -4,8 +4,9 @@ from vrts.debug.alarms import LABELS, Filter
 from vrts.debug.breakpoints import Breakpoint, Watch, resolve
 from vrts.debug.changes import watchable
 from vrts.debug.frames import frames
+from vrts.debug.near import near_words
 from vrts.debug.scripted.breaking import described, read_breakpoint
-from vrts.debug.scripted.names import near_words, unwatchable, wrong_condition
+from vrts.debug.scripted.names import unwatchable, wrong_condition
 from vrts.debug.scripted.session import Deed, Done, Refusal, Session, nothing
 
 

@@ -3,6 +3,7 @@
 import json
 from collections.abc import Iterable, Iterator
 
+from vrts.debug.events.asking import Row as TableRow
 from vrts.debug.scripted.places import NAMES, as_data
 from vrts.debug.scripted.session import Done, Row
 from vrts.report.plain import SERVICE_COMMAND, visible
@@ -52,15 +53,27 @@ def as_data_of(number: int, done: Done) -> dict[str, object]:
         found["value"] = as_data(done.value)
     if done.reasons:
         found["reasons"] = _cut(done.reasons)
-    for name, rows in (("events", done.events), ("log", done.log)):
-        if rows:
-            found[name] = [row._asdict() for row in rows[:MOST_LINES]]
+    if done.table is not None:
+        found[done.table.table] = [_row_data(row) for row in done.table.rows]
+        found["total"] = done.table.total
+    if done.log:
+        found["log"] = [row._asdict() for row in done.log[:MOST_LINES]]
     return found
+
+
+def _row_data(row: TableRow) -> dict[str, object]:
+    """Return a row of a table: its columns, and where it leads."""
+    found: dict[str, object] = {"number": row.number, "text": row.words}
+    for name, value in row.values.items():
+        found[name] = value  # JSON knows no tuples, and makes lists of them
+    at = row.go.instant
+    return found | {"go": {"time_s": at.time_s, "statements": at.finished}}
 
 
 def _lines(done: Done) -> Iterator[str]:
     yield from _cut(_row(row) for row in done.log)
-    yield from _cut(_row(row) for row in done.events)
+    if done.table is not None:
+        yield from _cut(row.text for row in done.table.rows)
     yield from (visible(line) for line in _cut(done.said))
     if done.moved and done.ok and done.place is not None:
         yield from done.place.sentence.split("\n")

@@ -19,6 +19,7 @@ class Why(Enum):
     CHANGE = "data breakpoint"
     ALARM = "exception"
     GOTO = "goto"
+    GO = "go"  # somebody asked for this place: an event, a call, a mark
     BEGIN = "begin"
     END = "end"
 
@@ -40,11 +41,12 @@ class Stop(NamedTuple):
     process: bool = False  # the process control program came there
     ids: tuple[int, ...] = ()  # of breakpoints
     alarm: Alarm | None = None
+    by: Cause | None = None  # the step that did what the text says, where it is an earlier one
 
     @property
     def cause(self) -> Cause | None:
         """The step to blame, whose line is to be shown; None: that of the present step."""
-        return None if self.alarm is None else self.alarm.cause
+        return self.by if self.alarm is None else self.alarm.cause
 
 
 class Logged(NamedTuple):

@@ -37,6 +37,7 @@ KEYS = (
     Key("w", "stop when a variable or a signal changes", STOPS, ("w",), "watch"),
     Key("a", "which alarms stop", STOPS, ("a",), "alarms"),
     Key("y", "why the arm does what it does", MORE, ("y",), "why"),
+    Key("e", "the events of the run, as a list: Enter goes to one", MORE, ("e",), "events"),
     Key(":", "a command (below), an expression, `x = 5`, the monitor's commands", MORE, (":",)),
     Key("p", "robot program or process control program", MORE, ("p",), "program"),
     Key("v", "see this moment in 3D", MORE, ("v",)),

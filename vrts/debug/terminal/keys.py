@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 from vrts.debug.alarms import Filter
 from vrts.debug.breakpoints import Breakpoint, is_hit_rule, resolve
+from vrts.debug.events.asking import Answer as Table
 from vrts.debug.scripted.breaking import Asked, read_breakpoint, written
 from vrts.debug.scripted.commander import carry_out
 from vrts.debug.scripted.names import bases, wrong_condition
@@ -74,7 +75,10 @@ class Keyboard:
             if key in _SCROLL:
                 view.scroll(_SCROLL[key])
                 return False
-            view.page = None
+            page, view.page = view.page, None
+            if key == "enter" and page.rows:
+                self._do(f"go {page.chosen + 1}")
+                return False
             if key in _CLOSE:
                 return False
         if key == "q":
@@ -122,10 +126,20 @@ class Keyboard:
     def _do(self, line: str) -> None:
         done = carry_out(self._session, line)
         lost = self._recorder.add(done)
-        rows = [f"{row.time_s:.3f} s: {row.text}" for row in (*done.log, *done.events)]
+        rows = [f"{row.time_s:.3f} s: {row.text}" for row in done.log]
+        if done.table is not None and done.table.rows:
+            self._list(line, done.table)
+            return
         self._say(line, [*rows, *done.said, *([lost] if lost else [])])
         if done.moved and done.ok:
             self._view.cursor = None
+
+    def _list(self, line: str, table: Table) -> None:
+        """Show rows to choose from, the last one up to here chosen."""
+        here = [k for k, row in enumerate(table.rows) if row.go.instant <= self._debugger.at]
+        lines = [*(row.text for row in table.rows), *table.says]
+        self._view.page = Page(line, [visible(each) for each in lines], 0, len(table.rows))
+        self._view.page.chosen = here[-1] if here else 0
 
     def _choose(self, lines: int) -> None:
         source = source_of(self._debugger, process=self._session.process)

@@ -12,6 +12,7 @@ from vrts.report.plain import one_line, visible, width
 LEAST_WIDTH, LEAST_HEIGHT = 72, 20
 MOST_TITLE = 2  # rows
 SHORT_HELP = " n s o c t forward  N S C T back  b breakpoint  : command  ? all keys  q end"
+LIST_HELP = " up, down, PgUp, PgDn choose; Enter goes there, and n goes on; Escape goes back"
 PAGE_HELP = " up, down, PgUp, PgDn scroll; Escape goes back"
 
 
@@ -146,8 +147,13 @@ def _bottom(question: Question | None, columns: int) -> Row:
 
 
 def _page(view: View, page: Page) -> list[Row]:
-    lines = wrapped(page.lines, view.width)
     room = view.page_rows
+    if page.rows:
+        lines = [cut(line, view.width - 1) for line in page.lines]
+        last = page.chosen if page.chosen + 1 < page.rows else len(lines) - 1
+        page.top = max(min(page.top, page.chosen), last - room + 1)
+    else:
+        lines = wrapped(page.lines, view.width)
     page.top = max(0, min(page.top, len(lines) - room))
     shown = lines[page.top : page.top + room]
     part = f"{page.top + 1} to {page.top + len(shown)} of {len(lines)}"
@@ -155,6 +161,9 @@ def _page(view: View, page: Page) -> list[Row]:
     title = cut(f" {visible(page.title)}", view.width - len(part) - 2)
     gap = " " * (view.width - width(title) - len(part) - 1)
     found: list[Row] = [[("title", f"{title}{gap}{part} ")]]
-    found += [fitted([("", line)], view.width) for line in shown]
+    for k, line in enumerate(shown, start=page.top):
+        style = "chosen" if page.rows and k == page.chosen else ""
+        found.append(fitted([(style, line)], view.width))
     found += [[]] * (room - len(shown))
-    return [*found, fitted([("help", PAGE_HELP)], view.width)]
+    words = LIST_HELP if page.rows else PAGE_HELP
+    return [*found, fitted([("help", words)], view.width)]

@@ -16,6 +16,8 @@ class Page:
     title: str
     lines: list[str]
     top: int = 0  # row that stands first, once wrapped
+    rows: int = 0  # the first so many lines are a list to choose from; each is one row then
+    chosen: int = 0  # of them, from 0
 
 
 @dataclass(slots=True)
@@ -51,8 +53,10 @@ class View:
             self.page = Page(title, lines)
 
     def scroll(self, rows: int) -> None:
-        """Show later rows of the page, or earlier ones."""
-        if self.page is not None:
+        """Show later rows of the page, or earlier ones; in a list choose them."""
+        if self.page is not None and self.page.rows:
+            self.page.chosen = max(0, min(self.page.chosen + rows, self.page.rows - 1))
+        elif self.page is not None:
             all_rows = len(wrapped(self.page.lines, self.width))
             self.page.top = max(0, min(self.page.top + rows, all_rows - self.page_rows))
 

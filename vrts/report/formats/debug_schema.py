@@ -6,7 +6,7 @@ from typing import Literal, NotRequired, TypedDict
 class Stopped(TypedDict):
     """Why it stands where it stands."""
 
-    why: Literal["begin", "step", "breakpoint", "change", "alarm", "jump", "end"]
+    why: Literal["begin", "step", "breakpoint", "change", "alarm", "jump", "go", "end"]
     text: str
 
 
@@ -17,12 +17,57 @@ class Valued(TypedDict):
     value: float | str | list[float]
 
 
-class Happened(TypedDict):
-    """Something that happened, or that a breakpoint wrote."""
+class Logged(TypedDict):
+    """What a breakpoint wrote."""
 
     time_s: float
     kind: str
     text: str
+
+
+class Instant(TypedDict):
+    """Where a row leads: `at 6.2 step 17` goes there."""
+
+    time_s: float
+    statements: int  # finished by then
+
+
+class Happened(TypedDict):
+    """A row of `events`; what does not belong to an event is left out."""
+
+    number: int  # `go` leads there
+    text: str  # the row in words
+    time_s: float
+    kind: str  # program, motion, hand, grasp, signal, output, fault, note, contact, near-miss
+    what: str  # more exactly
+    body: NotRequired[list[str]]
+    signal: NotRequired[int]
+    value: NotRequired[float]
+    motion: NotRequired[int]
+    depth_mm: NotRequired[float]  # of a contact
+    distance_mm: NotRequired[float]  # of a near miss
+    height_mm: NotRequired[float]  # that a thing let go falls
+    program: NotRequired[str]  # whose step did it
+    step: NotRequired[int]
+    line: NotRequired[int]
+    go: Instant
+
+
+class Called(TypedDict):
+    """A row of `calls`."""
+
+    number: int
+    text: str
+    program: str
+    from_s: float
+    to_s: float
+    took_s: float
+    depth: int  # programs that call each other then; 1: the first
+    caller: NotRequired[str]
+    line: NotRequired[int]  # of the call
+    arguments: str
+    thread: Literal["robot", "process"]
+    go: Instant
 
 
 class Debugged(TypedDict):
@@ -44,4 +89,6 @@ class Debugged(TypedDict):
     value: NotRequired[Valued]  # of an expression
     reasons: NotRequired[list[str]]  # the chain that `why` tells
     events: NotRequired[list[Happened]]
-    log: NotRequired[list[Happened]]
+    calls: NotRequired[list[Called]]
+    total: NotRequired[int]  # rows that fit; some may be left out
+    log: NotRequired[list[Logged]]

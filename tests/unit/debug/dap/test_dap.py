@@ -425,3 +425,31 @@ def test_causes_are_asked_for_and_gone_to(client: Client, program: Path) -> None
     assert client.do("vrts/why", name="n")["rows"][0]["line"] == 5
     assert not client.ask("vrts/who", name="nobody")["success"]
     assert not client.ask("vrts/who")["success"]
+
+
+def test_events_and_calls_are_asked_and_gone_to(client: Client, program: Path) -> None:
+    client.launch(program, dialect="val2+")
+    found = client.do("vrts/events", query="where signal = 5")
+    (row,) = found["rows"]
+    assert (row["kind"], row["what"], row["line"]) == ("signal", "on", 9)
+    assert row["source"]["path"] == str(program)
+    assert {"name": "depth", "unit": "mm", "says": "how deep a contact gets"} in found["columns"]
+    client.do("vrts/go", row=1)
+    assert client.event("stopped")["text"] == "signal 5 on"
+    assert client.line() == 9
+    client.do("evaluate", expression="mark here", context="repl")
+    rows = client.do("vrts/events", table="calls", query="where caller = main by from")["rows"]
+    assert [each["program"] for each in rows] == ["twice"] * 4
+    client.do("vrts/go", row=4)
+    assert client.event("stopped")["reason"] == "goto"
+    assert (client.line(), client.value("a")) == (15, "4")
+    client.do("vrts/go", mark="here")
+    client.event("stopped")
+    assert client.line() == 9
+    said = client.do("evaluate", expression="calls where line = 6 first 1", context="repl")
+    assert "twice(a = 1, b = undefined)" in said["result"]
+    said = client.do("evaluate", expression="link", context="repl")["result"]
+    assert f"vscode://file{program}:9:" in said
+    for wrong in ({"query": "where bodi = 3"}, {"table": "x"}, {"query": 5}, {"query": "x" * 501}):
+        assert not client.ask("vrts/events", **wrong)["success"]
+    assert not client.ask("vrts/go", row=99)["success"]

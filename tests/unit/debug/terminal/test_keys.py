@@ -31,6 +31,11 @@ LINES = [
     "step out",
     "break 5:n>2",
     "events",
+    "calls",
+    "mark here",
+    "go here",
+    "marks",
+    "link",
     "WHERE",
     "at 2",
     "DO",
@@ -215,3 +220,32 @@ def test_a_record_that_cannot_be_written_ends_and_the_session_goes_on(tmp_path: 
     assert "the record kept.txt ends here: no space left on device" in there.screen()
     there.press("n")
     assert "main 3" in there.screen()
+
+
+def test_enter_on_an_event_of_the_list_goes_there(tmp_path: Path) -> None:
+    s = Sitting(session(tmp_path))
+    s.press(":")
+    s.type("at 3")
+    s.press("e")
+    screen = s.screen()
+    assert "MOVE far, line 7" in screen
+    page = s.view.page
+    assert page is not None
+    s.press("up", "up")
+    row = page.chosen
+    rows = s.session.debugger.tables.asked("events", "", s.session.debugger.at).rows
+    assert rows[row + 2].go.instant <= s.session.debugger.at < rows[row + 3].go.instant
+    for _ in range(3):
+        s.press("page down")
+    assert page.chosen == page.rows - 1
+    assert page.lines[page.chosen] in s.screen()
+    s.press("home", "e") if s.view.page is None else s.press("escape", "e")
+    page = s.view.page
+    assert page is not None
+    while page.chosen > 6:
+        s.press("up")
+    s.press("enter")
+    assert s.view.page is None
+    assert s.session.debugger.stop.text == "signal 5 on"
+    assert "gone to: signal 5 on" in s.screen()
+    assert s.record[-2:] == ["events", "go 7"]
