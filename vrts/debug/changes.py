@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from vrts.debug.evaluating import CannotTell
 from vrts.debug.frames import Frame
-from vrts.debug.passages import Instant, instant_of
+from vrts.debug.passages import Instant, executes, instant_of
 from vrts.engine.history import ProgramHistory
 from vrts.engine.memory.cells import UNDEFINED, Cell, Content, Undefined, cells_of
 from vrts.engine.memory.events import SignalChanged
@@ -26,6 +26,8 @@ class Change(NamedTuple):
 
     instant: Instant  # right after it
     text: str  # what it was and what it is
+    process: bool = False  # the process control program did it, or it is of one of its calls
+    call: Activation | None = None  # whose argument or automatic variable it is
 
 
 class Watchable(NamedTuple):
@@ -79,7 +81,8 @@ def changes(run: Run, name: str) -> list[Change]:
     """
     of_call = _OF_CALL.fullmatch(name)
     if of_call is not None:
-        return sorted(_of_call(run, of_call["name"], of_call["program"], int(of_call["call"])))
+        call = _of_call(run, of_call["name"], of_call["program"], int(of_call["call"]))
+        return sorted(call, key=_order)
     signal = _SIGNAL.fullmatch(name.strip())
     if signal is not None:
         return list(_of_signal(run, int(signal[1])))
@@ -90,14 +93,24 @@ def changes(run: Run, name: str) -> list[Change]:
             for cell in cells_of(bound):
                 if wanted in (bound.name, cell.name):
                     found += _of_cell(run, cell, cell.name)
-    return sorted(found)
+    return sorted(found, key=_order)
+
+
+def _order(change: Change) -> tuple[Instant, str]:
+    return change.instant, change.text
+
+
+def _by_process(run: Run, number: int) -> bool:
+    """Return whether a statement was one of the process control program."""
+    return executes(run, number, process=True) is not None
 
 
 def _of_signal(run: Run, signal: int) -> Iterator[Change]:
     for event, number in zip(run.events, run.event_numbers, strict=True):
         if isinstance(event, SignalChanged) and event.signal == signal:
             state = "on" if event.on else "off"
-            yield Change(Instant(event.time_s, number), f"signal {signal} is {state}")
+            by_process = event.cause is not None and _by_process(run, number)
+            yield Change(Instant(event.time_s, number), f"signal {signal} is {state}", by_process)
 
 
 def _of_cell(
@@ -110,7 +123,8 @@ def _of_cell(
             return
         value = cell.at(since)
         if value != before:
-            yield Change(instant_of(run, since), f"{name}: {_shown(before)} -> {_shown(value)}")
+            text = f"{name}: {_shown(before)} -> {_shown(value)}"
+            yield Change(instant_of(run, since), text, _by_process(run, since))
         before = value
 
 
@@ -131,7 +145,8 @@ def _of_call(run: Run, name: str, program: str, call: int) -> Iterator[Change]:
         for cell in cells_of(bound):
             shown = base if isinstance(bound, Cell) else base + cell.name[cell.name.find("[") :]
             if name in (base, shown):
-                yield from _of_cell(run, cell, shown, begin, end)
+                for change in _of_cell(run, cell, shown, begin, end):
+                    yield change._replace(process=history is run.history.process, call=activation)
 
 
 def _calls(run: Run, history: ProgramHistory, program: str) -> list[tuple[int, Activation]]:

@@ -287,3 +287,17 @@ def test_lines_stand_for_steps() -> None:
     lines = lines_with_steps(code, "main.v2")
     assert 2 in lines
     assert 16 not in lines
+
+
+def test_a_condition_of_a_watch_sees_the_variables_of_its_own_call() -> None:
+    d = debugger(
+        ".PROGRAM main()\n AUTO k\n k = 100\n PCEXECUTE other\n DELAY 1\n TYPE k\n.END\n"
+        ".PROGRAM other()\n AUTO k\n k = 1\n k = 2\n CALL up(k)\n k = 4\n.END\n"
+        ".PROGRAM up(x)\n AUTO k\n k = 50\n x = 3\n.END\n"
+    )
+    d.wishes.watches = [Watch(1, "k @ other 1", condition="k == 3")]
+    stop = d.go_on()
+    assert (stop.why, stop.text, stop.process) == (Why.CHANGE, "k: 2 -> 3", True)
+    d.wishes.watches = [Watch(1, "k @ other 1", condition="k > 4")]
+    assert d.restart().why is Why.ENTRY
+    assert d.go_on().why is Why.END

@@ -8,6 +8,7 @@ from vrts.base.source import SourceFile
 from vrts.debug.debugger import Debugger
 from vrts.debug.near import near_words
 from vrts.engine.memory.cells import Array
+from vrts.ir.ranges import INPUTS, INTERNAL, OUTPUTS
 from vrts.ir.values import Value
 from vrts.lang.names import key
 from vrts.monitor.desk import ALONE, ANSWER
@@ -34,8 +35,11 @@ def names_of(debugger: Debugger) -> dict[str, Value]:
 def unwatchable(debugger: Debugger, name: str) -> str:
     """Return why a name cannot be watched, with the near misses; nothing where it can."""
     text = name.strip()
-    if _SIGNAL.fullmatch(text):
-        return ""
+    signal = _SIGNAL.fullmatch(text)
+    if signal is not None:
+        number = int(signal[1])
+        there = any(number in known for known in (INPUTS, OUTPUTS, INTERNAL))
+        return "" if there else f"there is no signal {number}"
     if _NAME.fullmatch(text) is None:
         return f"`{text}` is no name of a variable and no signal: `i`, `a[3]` or `SIG(1001)`"
     known = bases(debugger)

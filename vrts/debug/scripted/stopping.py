@@ -48,7 +48,7 @@ def _watch(session: Session, rest: str, done: Done) -> None:
         raise Refusal(problem)
     wishes = session.debugger.wishes
     run, at = session.debugger.run, session.debugger.at
-    frame = next(iter(frames(run, at, process=False)), None)
+    frame = next(iter(frames(run, at, process=session.process)), None)
     local = frame is not None and rest.partition("[")[0].strip().lower() in frame.declared(run)
     name = watchable(run, rest, frame).name if local else rest
     if name not in [watch.name for watch in wishes.watches]:

@@ -23,6 +23,7 @@ class Came(NamedTuple):
     instant: Instant
     process: bool = False
     text: str = ""  # what there is to say of it
+    call: Activation | None = None  # the call that it is about, where that is not the innermost
 
 
 class Chosen(NamedTuple):
@@ -128,10 +129,12 @@ class Look:
         self.heard: Callable[[], None] = hear
 
     def activation(self, came: Came) -> Activation | None:
-        """Return the innermost program then; now and then hear who wants no answer any more."""
+        """Return the call that sees it; now and then hear who wants no answer any more."""
         self._count += 1
         if self._count % OFTEN == 0:
             self._hear()
+        if came.call is not None:
+            return came.call
         return self._traces[came.process].activation(came.instant.finished)
 
 

@@ -116,7 +116,7 @@ class Stops:
         place = self._places.get(key)
         if place is None:
             found = changes(self._run, watch.name)
-            came = [Came(change.instant, text=change.text) for change in found]
+            came = [Came(c.instant, c.process, c.text, c.call) for c in found]
             place = self._places[key] = self._place(watch, came)
         return _Wished(place, watch)
 

@@ -82,6 +82,7 @@ def test_a_value_makes_another_future_and_restart_the_first(tmp_path: Path) -> N
     [
         ("watch sen", "there is no `sen` here: `seen`"),
         ("watch i+1", "no name of a variable"),
+        ("watch SIG(99)", "there is no signal 99"),
         ("break 5:n >", "a value is missing"),
         ("break 5:sen > 1", "there is no `sen` here: `seen`"),
         ("break 5:far", "a condition is a number"),
