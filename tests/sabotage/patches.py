@@ -1997,6 +1997,13 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/debug/marks/test_marks.py",),
     ),
     Patch(
+        "debug: a watch's condition sees the robot's variable of the same name",
+        "vrts/debug/stops/came.py",
+        "        if came.call is not None:\n",
+        "        if came.text is None:\n",
+        ("tests/unit/debug/test_debugger.py",),
+    ),
+    Patch(
         "debug: a change makes no other future",
         "vrts/debug/debugger.py",
         "        self._grow(other, *by_what(commands), self.at)\n",
@@ -2132,8 +2139,8 @@ PATCHES: tuple[Patch, ...] = (
     Patch(
         "debug: an argument is watched in every call",
         "vrts/debug/changes.py",
-        "yield from _of_cell(run, cell, shown, begin, end)",
-        "yield from _of_cell(run, cell, shown)",
+        "in _of_cell(run, cell, shown, begin, end):",
+        "in _of_cell(run, cell, shown):",
         (f"{DAP}::test_arguments_are_watched_in_the_call_that_is_looked_at",),
     ),
     Patch(

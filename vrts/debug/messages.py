@@ -12,28 +12,32 @@ from vrts.monitor.listings import value_text
 _BRACES = re.compile(r"\{([^{}]*)\}")
 
 
-def filled(
-    message: str,
-    expressions: Expressions,
-    at: Instant,
-    activation: Activation | None,
-    hear: Hear = nobody,
-) -> str:
-    """Return a message with the values that its expressions have at an instant.
+class Message:
+    """A text with expressions in braces, taken apart once and filled at many instants."""
 
-    Args:
-        message: Text with expressions in braces.
-        expressions: Of the run.
-        at: When it is written.
-        activation: The program that writes it, which sees its arguments and automatic variables.
-        hear: Who is heard meanwhile.
-    """
+    def __init__(self, text: str, expressions: Expressions) -> None:
+        """Take the text, and the expressions of the run."""
+        parts = _BRACES.split(text)  # texts and, between them, expressions
+        self._first = parts[0]
+        self._asked = [
+            (expressions.of(asked), behind)
+            for asked, behind in zip(parts[1::2], parts[2::2], strict=True)
+        ]
 
-    def value(found: re.Match[str]) -> str:
-        try:
-            known = expressions.of(found[1]).value(at, activation, hear)
-        except CannotTell as problem:
-            return f"<{problem}>"
-        return known if isinstance(known, str) else value_text(known).strip()
+    def filled(self, at: Instant, activation: Activation | None, hear: Hear = nobody) -> str:
+        """Return it with the values that its expressions have at an instant.
 
-    return _BRACES.sub(value, message)
+        Args:
+            at: When it is written.
+            activation: The program that writes it, and sees its own variables.
+            hear: Who is heard meanwhile.
+        """
+        pieces = [self._first]
+        for expression, behind in self._asked:
+            try:
+                known = expression.value(at, activation, hear)
+            except CannotTell as problem:
+                pieces += (f"<{problem}>", behind)
+            else:
+                pieces += (known if isinstance(known, str) else value_text(known).strip(), behind)
+        return "".join(pieces)

@@ -8,7 +8,7 @@ from vrts.debug.breakpoints import Breakpoint, Watch, resolve
 from vrts.debug.changes import changes
 from vrts.debug.conditions.expression import Expressions
 from vrts.debug.conditions.hearing import Hear
-from vrts.debug.messages import filled
+from vrts.debug.messages import Message
 from vrts.debug.passages import Instant, Passages
 from vrts.debug.stops.came import Came, Chosen, Look, Place, came_to
 from vrts.debug.stops.stop import Logged, Stop, Why, Wishes
@@ -78,12 +78,12 @@ class Stops:
         look = Look(self._run, hear)
         found: list[Logged] = []
         for point in points:
-            wished = self._of_line(point)
+            wished, message = self._of_line(point), Message(point.log, self._expressions)
             for chosen in () if wished is None else wished.place.between(begin, end, look):
                 assert wished is not None
                 came = wished.place.came[chosen.number]
                 activation = look.activation(came)
-                text = filled(point.log, self._expressions, came.instant, activation, look.heard)
+                text = message.filled(came.instant, activation, look.heard)
                 found.append(Logged(came.instant, text, point.id))
         return sorted(found, key=lambda logged: logged.instant)
 
