@@ -43,15 +43,10 @@ FIXED: dict[str, list[str]] = {  # what looks at the text only
     ],
 }
 PYTEST = [PYTHON, "-m", "pytest"]
-DIVIDED = (  # forked workers share what is loaded; elsewhere each one loads it
-    [*PYTEST, "-p", "no:xdist", f"--forked={WORKERS}"]
-    if sys.platform == "linux"
-    else [*PYTEST, "-n", WORKERS]
-)
-TESTS = {"tests": DIVIDED}
+TESTS = {"tests": [*PYTEST, "-n", WORKERS]}
 THOROUGH, PATCHES = "thorough", "sabotage"
 REST: dict[str, list[str]] = {
-    THOROUGH: [*DIVIDED, "-m", "thorough and not live"],
+    THOROUGH: [*PYTEST, "-n", WORKERS, "-m", "thorough and not live"],
     "live": [*PYTEST, "-p", "no:xdist", "-m", "live"],
     PATCHES: [  # other stages see that without a patch all pass; a fast machine tries every one
         *("nice", "-n", "5", PYTHON, "-m", "tests.sabotage", "--passed", "--minutes=25"),

@@ -16,7 +16,6 @@ from hypothesis import settings
 from xdist.scheduler import LoadScopeScheduling
 
 from tests import constants, marked
-from tests.forked.plugin import Forked
 from tests.laws import examples
 from tests.times import seconds
 
@@ -43,10 +42,8 @@ _STATE = pytest.StashKey[str]()
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Keep keys of logs, which servers of tests make, away from the user's own; begin to divide."""
+    """Keep keys of logs, which servers of tests make, away from the user's own."""
     config.stash[_STATE] = os.environ["XDG_STATE_HOME"] = tempfile.mkdtemp(prefix="vrts-tests-")
-    if (count := config.getoption("forked")) and not config.option.collectonly:
-        config.pluginmanager.register(Forked(config, count), "vrts-forked")
 
 
 def pytest_unconfigure(config: pytest.Config) -> None:
@@ -55,8 +52,7 @@ def pytest_unconfigure(config: pytest.Config) -> None:
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    """Take the number of workers, and a folder of programs that a benchmark measures."""
-    parser.addoption("--forked", type=int, default=0, help="workers, forked when all is read")
+    """Take the folder of programs that `tests/bench/test_bench_strangers.py` measures."""
     parser.addoption("--strangers", default=None, help="a folder of programs, one for a language")
 
 

@@ -36,13 +36,6 @@ __all__ = ["PATCHES", "Patch"]
 
 PATCHES: tuple[Patch, ...] = (
     Patch(
-        "a test that ends its worker is told by nobody",
-        "tests/forked/dividing.py",
-        "        if at.nodeid:",
-        "        if False:",
-        ("tests/unit/test_forked.py",),
-    ),
-    Patch(
         "the debugger jumps behind the step that wrote a value, and not before it",
         "vrts/debug/history/track.py",
         "            found = instant_of(run, moment.number - 1)",

@@ -12,6 +12,7 @@ from html.parser import HTMLParser
 from pathlib import Path
 
 import pytest
+import rerun as rr
 
 from tests.places import TESTS
 from tests.support_reports import SYNTAX
@@ -28,6 +29,7 @@ from vrts.report.formats.json_text import json_text
 from vrts.report.formats.sarif import sarif
 from vrts.report.page.html import json_script
 from vrts.report.page.page import page
+from vrts.report.recording.names import of_body
 from vrts.report.screen.assessment_text import assessment_text
 from vrts.report.screen.first_screen_text import first_screen_text
 from vrts.report.screen.palette import Palette
@@ -167,10 +169,6 @@ def test_a_name_is_one_field_of_a_table_and_no_formula(text: str) -> None:
 
 
 def test_every_name_is_one_entity_of_a_recording(tmp_path: Path) -> None:
-    import rerun as rr  # it starts threads: see tests/forked
-
-    from vrts.report.recording.names import of_body
-
     names = [t for t in CORPUS if "\udcff" not in t]
     path = tmp_path / "names.rrd"
     stream = rr.RecordingStream("vrts", recording_id="names", send_properties=False)

@@ -18,6 +18,7 @@ _MOVES = frozenset(
     {
         *("continue", "reverseContinue", "next", "stepIn", "stepOut", "stepBack", "goto"),
         *("restart", "setVariable", "setExpression", "vrts.tick", "vrts.seek", "vrts/go"),
+        *("vrts/edit", "vrts/branch", "vrts/undo", "vrts/redo"),
     }
 )
 MOST_WAITING = 1_000  # requests that wait; a client that sends more waits itself
