@@ -112,7 +112,7 @@ def test_marks_are_kept_in_a_file_beside_the_program(tmp_path: Path) -> None:
     assert again.debugger.at == s.debugger.at
     said(again, "mark more")
     assert {row["name"] for row in json.loads(file.read_text())["marks"]} == {"four", "more"}
-    program.write_text(TEXT.replace("n < 4", "n < 1"))
+    program.write_text(TEXT.replace("b = a*2", "b = a*3"))  # the same steps, other values
     assert "another one at `four`" in refused(kept(program), "go four")
     file.write_text("{}")
     broken = kept(program)
