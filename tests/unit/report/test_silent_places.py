@@ -38,7 +38,7 @@ def test_the_debugger_of_an_editor(task: tuple[Path, bool]) -> None:
     found = opened(Asked(WRONG, Where(task=task[0])))
     assert found.debugger is not None
     assert found.console is not None
-    session = Session(found.debugger, found.console, found.sources, found.files)
+    session = Session(found.debugger, found.console, found.files)
     session.debugger.wishes.filters = frozenset({Filter.ERROR})
     session.debugger.go_on()
     told = SEEING["exceptionInfo"](session, Fields({})).body
