@@ -4,6 +4,7 @@ Hulls by chance lie across edges and corners of the pads: where sides are steep,
 the pads must not count.
 """
 
+from itertools import permutations
 from typing import Any, NamedTuple, cast
 
 import numpy as np
@@ -93,3 +94,15 @@ def test_two_walls_that_do_not_touch_are_not_one() -> None:
     apart = between(TWO_FINGERS, (_bar(-0.006, 0.001), _bar(0.006, 0.001)), IDENTITY)
     assert apart is not None
     assert apart.overlap == pytest.approx(0.002)
+
+
+def test_the_order_of_pieces_does_not_matter() -> None:
+    corner = _wall(0.0, -0.0055, 0.006, 0.0005), _wall(-0.0055, 0.0, 0.0005, 0.006)
+    pieces = (*corner, _wall(0.005, 0.005, 0.003, 0.003))  # beside both, in the box round them
+    found = [between(TWO_FINGERS, order, IDENTITY) for order in permutations(pieces)]
+    assert [one and one.overlap for one in found] == [pytest.approx(0.012)] * 6
+
+
+def _wall(x: float, z: float, half_width: float, half_length: float) -> Piece:
+    box = Box((half_width, 0.01, half_length))
+    return Piece(box, Pose(IDENTITY.rotation, (x, 0.0, z)))

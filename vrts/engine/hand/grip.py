@@ -74,23 +74,26 @@ def _common(part: Bounds) -> float:
 
 
 def _joined(parts: Sequence[Bounds]) -> list[Bounds]:
-    """Return boxes round parts that touch: where a mesh is cut into pieces is nobody's doing."""
-    found: list[Bounds] = []
+    """Return boxes round parts that touch: where a mesh is cut into pieces is nobody's doing.
+
+    Parts are asked whether they touch, and not boxes round several: those depend on the order.
+    """
+    groups: list[list[Bounds]] = []
     for part in parts:
-        one, apart = part, list[Bounds]()
-        for other in found:
-            if _touch(one, other):
-                low, high = (
-                    zip(one.lower, other.lower, strict=True),
-                    zip(one.upper, other.upper, strict=True),
-                )
-                one = Bounds(
-                    _vector(min(pair) for pair in low), _vector(max(pair) for pair in high)
-                )
+        group, apart = [part], list[list[Bounds]]()
+        for other in groups:
+            if any(_touch(part, each) for each in other):
+                group += other
             else:
                 apart.append(other)
-        found = [*apart, one]
-    return found
+        groups = [*apart, group]
+    return [
+        Bounds(
+            _vector(map(min, zip(*(part.lower for part in group), strict=True))),
+            _vector(map(max, zip(*(part.upper for part in group), strict=True))),
+        )
+        for group in groups
+    ]
 
 
 def _touch(a: Bounds, b: Bounds) -> bool:
