@@ -86,7 +86,8 @@ def _bodies(row: Happening) -> Content:
     event = row.event
     if isinstance(event, ContactEvent | NearMiss):
         return tuple(dict.fromkeys((*sides(event), *event.parts)))
-    names = (getattr(event, "body", None), getattr(event, "support", None))
+    also: tuple[str, ...] = getattr(event, "also", ())
+    names = (getattr(event, "body", None), getattr(event, "support", None), *also)
     return tuple(name for name in names if name is not None) or None
 
 

@@ -6,6 +6,9 @@ import pytest
 
 from tests.support_programs import happened, ran
 from vrts.base.source import SourceFile
+from vrts.debug.alarms import Alarms
+from vrts.debug.events.asking import Tables
+from vrts.debug.passages import Instant
 from vrts.engine.memory.events import Event, Landed, Toppled
 from vrts.engine.run import Run
 from vrts.engine.storage.damage import Damaged
@@ -84,6 +87,14 @@ def test_all_that_it_stands_on_are_named() -> None:
     assert again(landed, last=4) == landed._replace(cause=None, also=()), "a file of before"
     with pytest.raises(Damaged):
         again(landed, last=3)
+
+
+@pytest.mark.parametrize("name", ["left", "right"])
+def test_the_table_of_events_finds_it_by_each_of_them(name: str) -> None:
+    run = put("950 -100 -75")
+    asked = f"where what = landed and body = {name}"
+    found = Tables(run, Alarms(run, None)).asked("events", asked, Instant(0.0, 0))
+    assert found.total == 1
 
 
 def test_on_one_of_them_nothing_is_added() -> None:
