@@ -9,6 +9,7 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 
 from vrts.base.source import SourceFile
+from vrts.lsp.server.background.verifying import write_to
 from vrts.schemas import kind_of
 
 DELAY_S = 0.3  # after the last key
@@ -86,15 +87,14 @@ class SettingFiles:
             stdin=subprocess.PIPE,  # stays open: where it ends, so does the process
             stdout=subprocess.PIPE,
         )
-        assert process.stdin is not None
         assert process.stdout is not None
         line = b""
         try:
             async with asyncio.timeout(PATIENCE_S):
-                process.stdin.write(json.dumps([file.path, file.source.text]).encode() + b"\n")
-                process.stdin.flush()
+                asked = json.dumps([file.path, file.source.text]).encode() + b"\n"
+                await asyncio.to_thread(write_to, process, asked)  # its pipe may be full
                 line = await asyncio.to_thread(process.stdout.readline)
-        except (TimeoutError, BrokenPipeError):
+        except TimeoutError:
             pass  # what is told below says so
         finally:
             process.kill()
