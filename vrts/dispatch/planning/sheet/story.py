@@ -1,6 +1,7 @@
 """What a program does, told from a run of it: what it takes, and where it sets it down."""
 
 from vrts.dispatch.bundle import Bundle, rows
+from vrts.engine.hand.told import named
 from vrts.engine.memory.cells import Cell, cells_of
 from vrts.engine.memory.events import (
     Grasped,
@@ -23,8 +24,7 @@ def story(run: Run) -> list[str]:
             case Grasped(body=body):
                 found.append(f"{when} takes `{body}`")
             case Landed(body=body, support=support, also=also):
-                on = " and ".join(f"`{name}`" for name in (support, *also))
-                found.append(f"{when} `{body}` stands on {on}")
+                found.append(f"{when} `{body}` stands on {named((support, *also))}")
             case Released(body=body, height_m=height) if height > 0.0:
                 found.append(f"{when} lets go of `{body}`")
             case Reacted(program=program, signal=signal) if signal:
