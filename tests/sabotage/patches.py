@@ -2565,9 +2565,9 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "lsp: an order that is cancelled goes on",
-        "vrts/lsp/server/background/ordering.py",
-        "                process.kill()  # unless it has ended",
-        "                pass",
+        "vrts/lsp/server/background/own_process.py",
+        "        self.kill()\n        self._process.communicate()",
+        "        self._process.poll()",
         ("tests/unit/lsp/server/test_commands.py",),
     ),
     Patch(

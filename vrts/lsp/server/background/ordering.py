@@ -2,13 +2,11 @@
 
 import asyncio
 import os
-import subprocess
-import sys
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from vrts.lsp.channel.ordered import PATIENCE_S, Done, Ordered, done_of, line_of_ordered
-from vrts.lsp.server.background.verifying import write_to
+from vrts.lsp.server.background.own_process import OwnProcess
 
 AT_ONCE = 2
 
@@ -17,30 +15,22 @@ class Orders:
     """The processes that carry out what is ordered, and the files that tell what came of it."""
 
     def __init__(self) -> None:
-        self._going: set[subprocess.Popen[bytes]] = set()
+        self._going: set[OwnProcess] = set()
         self._slots = asyncio.Semaphore(AT_ONCE)
         self._folder: TemporaryDirectory[str] | None = None
 
     async def carry_out(self, ordered: Ordered) -> Done:
         """Return what came of an order; whoever cancels this ends its process."""
         async with self._slots:
-            process = subprocess.Popen(
-                (sys.executable, "-m", "vrts.lsp.runs.carrying_out"),
-                stdin=subprocess.PIPE,  # stays open: where it ends, so does the process
-                stdout=subprocess.PIPE,
-            )
-            assert process.stdout is not None
-            self._going.add(process)
-            try:
-                async with asyncio.timeout(PATIENCE_S):
-                    await asyncio.to_thread(write_to, process, line_of_ordered(ordered))
-                    return done_of(await asyncio.to_thread(process.stdout.readline))
-            except TimeoutError:
-                return done_of(b"")
-            finally:
-                self._going.discard(process)
-                process.kill()  # unless it has ended
-                process.communicate()  # closes its pipes, and waits
+            with OwnProcess("vrts.lsp.runs.carrying_out") as process:
+                self._going.add(process)
+                try:
+                    async with asyncio.timeout(PATIENCE_S):
+                        return done_of(await process.answer(line_of_ordered(ordered)))
+                except TimeoutError:
+                    return done_of(b"")
+                finally:
+                    self._going.discard(process)
 
     def written(self, ordered: Ordered, done: Done) -> Path:
         """Return a file that holds what came of an order, for as long as the server lives."""

@@ -3,13 +3,12 @@
 import asyncio
 import json
 import os
-import subprocess
-import sys
 from collections.abc import Callable
+from contextlib import suppress
 from typing import Any, NamedTuple
 
 from vrts.base.source import SourceFile
-from vrts.lsp.server.background.verifying import write_to
+from vrts.lsp.server.background.own_process import OwnProcess
 from vrts.schemas import kind_of
 
 DELAY_S = 0.3  # after the last key
@@ -82,23 +81,11 @@ class SettingFiles:
 
     async def _look(self, file: SettingFile) -> None:
         await asyncio.sleep(DELAY_S)
-        process = subprocess.Popen(  # whoever cancels what asyncio begins may wait for ever
-            (sys.executable, "-m", "vrts.lsp.runs.scenes"),
-            stdin=subprocess.PIPE,  # stays open: where it ends, so does the process
-            stdout=subprocess.PIPE,
-        )
-        assert process.stdout is not None
+        asked = json.dumps([file.path, file.source.text]).encode() + b"\n"
         line = b""
-        try:
+        with OwnProcess("vrts.lsp.runs.scenes") as process, suppress(TimeoutError):
             async with asyncio.timeout(PATIENCE_S):
-                asked = json.dumps([file.path, file.source.text]).encode() + b"\n"
-                await asyncio.to_thread(write_to, process, asked)  # its pipe may be full
-                line = await asyncio.to_thread(process.stdout.readline)
-        except TimeoutError:
-            pass  # what is told below says so
-        finally:
-            process.kill()
-            process.communicate()  # closes its pipes, and waits
+                line = await process.answer(asked)
         if self.open.get(file.path) is not file:
             return  # there is another text by now
         found: dict[str, Any] = json.loads(line) if line else _given_up()

@@ -2,8 +2,6 @@
 
 import asyncio
 import signal
-import subprocess
-import sys
 from collections.abc import Callable, Coroutine
 from contextlib import suppress
 from typing import Any, NamedTuple
@@ -19,6 +17,7 @@ from vrts.lsp.channel.verification import (
 )
 from vrts.lsp.documents.documents import Document
 from vrts.lsp.documents.setting_files import Stamp
+from vrts.lsp.server.background.own_process import OwnProcess
 
 DELAY_S = 0.5  # after a check has found no error, before the program is run
 PATIENCE_S = 60.0  # for a verification, whatever it does
@@ -117,28 +116,15 @@ class Verifications:
             del self._going[document.path]
 
     async def _verify(self, subject: Subject, asked: Asked) -> None:
-        process = subprocess.Popen(  # whoever cancels what asyncio begins may wait for ever
-            (sys.executable, "-m", "vrts.lsp.runs.verifying"),
-            stdin=subprocess.PIPE,  # stays open: where it ends, so does the process
-            stdout=subprocess.PIPE,
-        )
-        assert process.stdout is not None
         answer = Answer()
-        try:
-            async with asyncio.timeout(PATIENCE_S):
-                await asyncio.to_thread(ask, process, asked)
-                while line := await asyncio.to_thread(process.stdout.readline):
+        with OwnProcess("vrts.lsp.runs.verifying") as process, suppress(TimeoutError):
+            async with asyncio.timeout(PATIENCE_S):  # what it has said by then counts
+                async for line in process.answers(line_of(asked)):
                     answer = answer_of(line)
                     if not answer.is_whole:
                         self._learn(subject, answer)
-                await asyncio.to_thread(process.wait)
-        except TimeoutError:
-            pass  # what it has said so far counts
-        finally:
-            process.kill()  # unless it has ended
-            process.communicate()  # closes its pipes, and waits
         if not answer.is_whole:
-            answer = stopped(asked, answer, _why(process.returncode))
+            answer = stopped(asked, answer, _why(process.status))
         self._learn(subject, answer)
 
     def _learn(self, subject: Subject, answer: Answer) -> None:
@@ -147,19 +133,6 @@ class Verifications:
             answer = answer._replace(shown=known.answer.shown)  # it is told once
         self._known[subject.document.path] = _Known(subject, answer)
         self._tell(subject.document)
-
-
-def ask(process: subprocess.Popen[bytes], asked: Asked) -> None:
-    """Write to a process what it is asked; waits where its pipe is full."""
-    write_to(process, line_of(asked))
-
-
-def write_to(process: subprocess.Popen[bytes], line: bytes) -> None:
-    """Write a line to a process; waits where its pipe is full."""
-    assert process.stdin is not None
-    with suppress(BrokenPipeError):  # its answers have ended then too
-        process.stdin.write(line)
-        process.stdin.flush()
 
 
 def _why(status: int | None) -> str:
