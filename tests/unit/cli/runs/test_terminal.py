@@ -2,7 +2,6 @@
 
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import pytest
@@ -135,7 +134,7 @@ def test_the_pendant_at_a_terminal(folder: Path) -> None:
     child.expect("joint")
     record(child, "p1")
     child.send("q")  # joint 1, one step: 5 degrees
-    time.sleep(2.0)  # of real time, in which the arm moves
+    child.expect(r"1     5\.000 ")  # the arm has come to where joint 1 is to be
     record(child, "p2")
     child.send("x")
     child.expect("2 locations written to points.v2")
