@@ -1,5 +1,6 @@
 """What `vrts task check` says of a task with variants."""
 
+import os
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
@@ -13,6 +14,7 @@ if TYPE_CHECKING:
     from vrts.check.variants.drawn import Variant
     from vrts.check.variants.model import Combination
     from vrts.marking.variants.class_list import ClassList
+    from vrts.marking.variants.handed import Students
 
 
 class HowTo(NamedTuple):
@@ -30,11 +32,12 @@ def check_variants(folder: Path, how: HowTo) -> bool:
 
     Raises:
         CannotRead: A file is not there.
-        Refused: The list, the key or a path of `[variants]` is wrong.
+        Refused: The list, the key or a path of `[variants]` is wrong, or the task has not the
+            variants any more that were handed out.
     """
     from vrts.assignments.fair.fairness import fairness
     from vrts.assignments.fair.in_words import fair_findings, fair_lines
-    from vrts.assignments.variants.key import place_of_key
+    from vrts.assignments.variants.key import key_of, place_of_key
     from vrts.assignments.variants.of_task import load_varied
     from vrts.pipeline.files import read_bytes
     from vrts.report.plain import plain_text
@@ -44,8 +47,11 @@ def check_variants(folder: Path, how: HowTo) -> bool:
         varied = replace(varied, solution=read_bytes(how.reference))
     varied.as_written()  # which students could not read, it says
     students: dict[str, Combination] = {}
+    place = how.key or place_of_key(folder)
     if how.members is not None:
-        varied, students = _drawn(varied, how.members, how.key or place_of_key(folder))
+        varied, students = _drawn(varied, how.members, place, how.color)
+    elif how.key is not None or os.path.lexists(place):
+        _handed(varied, key_of(place), place, how.color)
     found = fairness(varied, students, workers_of(how.jobs))
     out("")
     show_diagnostics(fair_findings(varied.variants, found), how.color)
@@ -70,18 +76,30 @@ def members_of(roster: Path | None) -> "ClassList | None":
 
 
 def _drawn(
-    varied: "VariedTask", members: "ClassList", place: Path
+    varied: "VariedTask", members: "ClassList", place: Path, color: str
 ) -> "tuple[VariedTask, dict[str, Combination]]":
     """Return the task with the key, and which variant each student of a class has."""
     from vrts.assignments.variants.key import key_made
-    from vrts.marking.variants.handed import read_handed, variants_of
+    from vrts.marking.variants.handed import changed, variants_of
 
     secret, made = key_made(place)
     if made:
         say(f"made the key {place}: keep a copy, and give it to no student")
-    handed = read_handed(place, secret, varied.variants.assignment)
+    handed = _handed(varied, secret, place, color)
     given = variants_of(varied, members, secret, handed)
+    if given.gone:
+        raise changed(given.gone, place)
     return varied.with_key(secret), by_name(members, given.variants)
+
+
+def _handed(varied: "VariedTask", secret: bytes, place: Path, color: str) -> "Students":
+    """Return what was handed out by a key, and say so where nobody knows what it was."""
+    from vrts.marking.variants.handed import read_handed, record_gone
+
+    assignment = varied.variants.assignment
+    handed = read_handed(place, secret, assignment)
+    show_diagnostics(record_gone(place, assignment, handed), color)
+    return handed
 
 
 def by_name(members: "ClassList", variants: "Mapping[str, Variant]") -> "dict[str, Combination]":

@@ -85,8 +85,11 @@ def check(
     from vrts.cli.authoring.mesh_pieces import task_pieces
 
     setting = _setting(folder, lab)
-    if roster is not None and (setting.task is None or setting.task.variants is None):
-        fail("`--roster` is for a task with variants", ("add `[variants]` to its task.toml",))
+    if setting.task is None or setting.task.variants is None:
+        for name, given in (("--roster", roster), ("--key", key)):
+            if given is not None:
+                help_ = "add `[variants]` to its task.toml"
+                fail(f"`{name}` is for a task with variants", (help_,))
     members = members_of(roster)
     if write:
         _write_readme(_folder(folder))

@@ -7,6 +7,7 @@ import pytest
 
 from tests.places import ROOT
 from tests.support_commands import Said, vrts_text
+from vrts.assignments.variants.key import place_of_handed
 
 LAB = ROOT / "examples" / "08-own-numbers" / "lab1"
 VARIES = """[variants]
@@ -56,6 +57,23 @@ def test_what_falls_out_is_named_and_its_remedy_can_be_pasted(home: Path) -> Non
     assert "9 students of the list have" in after.stdout
 
 
+@pytest.mark.thorough
+def test_what_was_handed_out_is_asked_for_before_anything_is_drawn_again(home: Path) -> None:
+    task, key = home / "lab" / "task.toml", home / "lab.key"
+    task.write_text(task.read_text("utf-8").replace(", [1040, 170]]", "]"), "utf-8")
+    words = ("lab", "--roster", "class.csv", "--key", "lab.key")
+    handed = vrts_text("task", "variants", *words, "--untried", "-o", "zips", cwd=home)
+    assert handed.returncode == 0, handed.stderr
+    task.write_text(task.read_text("utf-8").replace("[720, -500]", "[720, -490]"), "utf-8")
+    changed = checked(home)
+    assert changed.returncode == 1
+    assert "`[variants]` was changed: what was handed out to " in changed.stderr
+    place_of_handed(key).unlink()
+    for said in (checked(home), vrts_text("task", "check", "lab", "--key", "lab.key", cwd=home)):
+        assert said.returncode == 0, said.stderr
+        assert "warning[V779 handed-out-unknown]" in said.stderr
+
+
 def test_a_list_of_a_class_is_for_variants_and_has_to_be_there(home: Path) -> None:
     missing = vrts_text("task", "check", "lab", "--roster", "none.csv", cwd=home)
     assert missing.returncode == 2
@@ -65,3 +83,5 @@ def test_a_list_of_a_class_is_for_variants_and_has_to_be_there(home: Path) -> No
     plain = vrts_text("task", "check", "lab", "--roster", "class.csv", cwd=home)
     assert plain.returncode == 2
     assert "`--roster` is for a task with variants" in plain.stderr
+    plain = vrts_text("task", "check", "lab", "--key", "lab.key", cwd=home)
+    assert "`--key` is for a task with variants" in plain.stderr
