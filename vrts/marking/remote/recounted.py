@@ -16,6 +16,7 @@ from vrts.marking.result import Check, Kind, Loss, Result
 
 ROUNDED = 1e-5  # points: ten times what the six decimals of a part can be wrong by
 LONGEST = 20  # characters of points as a fraction: they are hundredths
+EXACT = 1  # `versions.scoring` of before, when points of a loss were not rounded to hundredths
 MARKED = frozenset((Kind.GRADED, Kind.DOES_NOT_COMPILE, Kind.STOPPED, Kind.LIMIT))
 UNMARKED = frozenset((Kind.RESOURCE, Kind.FAULT))
 BY_PROGRAM = MARKED | UNMARKED | {Kind.UNREADABLE}  # what marking a program can end with
@@ -72,7 +73,7 @@ def _has_points(result: Result) -> bool:
     parts = () if result.parts is None else msgspec.structs.astuple(result.parts)
     return (
         all(abs(points) <= most for points in parts)
-        and all(map(_is_loss, result.losses))
+        and all(_is_loss(loss, result.versions.scoring) for loss in result.losses)
         and all(map(_is_check, result.checks))
     )
 
@@ -81,13 +82,13 @@ def _is_check(check: Check) -> bool:
     return abs(check.points) <= LARGEST_TOTAL and abs(check.most) <= LARGEST_TOTAL
 
 
-def _is_loss(loss: Loss) -> bool:
-    """Return whether points are hundredths, and the same both times."""
+def _is_loss(loss: Loss, scoring: int) -> bool:
+    """Return whether points are hundredths, but for those of before, and the same both times."""
     if len(loss.points_exact) > LONGEST:
         return False
     try:
         exact = Fraction(loss.points_exact)
     except (ValueError, ZeroDivisionError):
         return False
-    hundredths = (exact * 100).denominator == 1
+    hundredths = scoring == EXACT or (exact * 100).denominator == 1
     return hundredths and abs(exact) <= LARGEST_TOTAL and abs(loss.points - exact) <= ROUNDED

@@ -536,6 +536,18 @@ def test_a_plan_of_before_needs_a_word(sent: Sent, tmp_path: Path) -> None:
     merged = merge(key, [results], out, unsigned=True)
     assert (len(merged.rows), codes(merged.findings)) == (2, ["V726"])
 
+    def exact(members: dict[str, bytes]) -> None:
+        """Points of a loss were not rounded to hundredths then: 23/6 and 5/3 for 5.5."""
+        name = f"{pseudonym(sent, 'smith-ben')}/staff/result.json"
+        result = json.loads(members[name])
+        losses = [loss("23/6", 3.833333), loss("5/3", 1.666667)]
+        versions = result["versions"] | {"scoring": 1}
+        members[name] = json.dumps(result | {"losses": losses, "versions": versions}).encode()
+
+    before = changed(results, tmp_path / "before.zip", exact)
+    merged = merge(key, [before], Layout(tmp_path / "exact"), unsigned=True)
+    assert (len(merged.rows), codes(merged.findings)) == (2, ["V726"])
+
     def tell(members: dict[str, bytes]) -> None:
         name = f"{pseudonym(sent, 'smith-ben')}/staff/result.json"
         members[name] = json.dumps(json.loads(members[name]) | {"mark": 10.0}).encode()

@@ -23,6 +23,9 @@ KNOWN = ("identifier", "full name", "email address", "status", *CANVAS_HEADER, "
 
 _PARTICIPANT = re.compile(r"[^\d@]+?(\d+)$")  # "Participant 123456", "Teilnehmer/in123456"
 _ADDRESS = re.compile(r"[^@\s]+@[^@\s]+$")
+_DRAFT = re.compile(  # "Draft (not submitted)": saved, and the student never said that it counts
+    r"(draft|entwurf|brouillon|borrador|bozza|concept|rascunho|taslak)\b[^()]*\(", re.IGNORECASE
+)
 _GRADED = re.compile(r"grade|bewert|note|calific|valut|beoord|avalia", re.IGNORECASE)
 
 
@@ -114,6 +117,7 @@ def _moodle(
 ) -> Roster:
     times = _column_of_times(header, lines)
     members: dict[str, Member] = {}
+    drafts: list[str] = []
     for line in lines:
         cells = [cell.text.strip() for cell in line]
         found = _PARTICIPANT.match(cells[0])
@@ -124,12 +128,17 @@ def _moodle(
         full = cells[1] if named else ""
         student = Student(full or cells[0], email, ids={Platform.MOODLE.value: found[1]})
         time = None
-        if times is not None and times < len(cells) and zone is not None:
+        if any(map(_DRAFT.match, cells[1:])):  # its time is not that of a hand-in
+            drafts.append(f"`{student.name}`")
+        elif times is not None and times < len(cells) and zone is not None:
             time = local_time(cells[times], zone)
         members[found[1]] = Member(student, time)
-    remarks = ()
+    remarks: tuple[str, ...] = ()
     if times is not None and zone is None:
         remarks = (f"the times in `{name}` have no zone, so they do not count: give one",)
+    if drafts:
+        what = "is a draft" if len(drafts) == 1 else "are drafts"
+        remarks += (f"what `{name}` has of {', '.join(drafts)} {what} and was not submitted",)
     return Roster(Platform.MOODLE, members, remarks)
 
 

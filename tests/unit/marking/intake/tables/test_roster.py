@@ -64,6 +64,18 @@ def test_a_worksheet_in_another_language(tmp_path: Path) -> None:
     assert anna.student.email == "anna@uni.at"
 
 
+@pytest.mark.parametrize(
+    "status", ["Draft (not submitted)", "Entwurf (nicht abgegeben)", "Draft (not submitted) - "]
+)
+def test_a_draft_was_not_submitted_when_it_was_changed_last(status: str, tmp_path: Path) -> None:
+    """Taken for a hand-in in time, it would get a mark that nobody had looked at."""
+    place = put(tmp_path / "d", {f"{ANNA}/pick.v2": PICK})
+    data = WORKSHEET.replace(b'"Submitted for grading"', f'"{status}"'.encode())
+    found = take_in(place, program=None, roster=read_roster(data, "w.csv", CET))
+    assert found.rows[0].received is None
+    assert found.remarks == ("what `w.csv` has of `Anna Berger` is a draft and was not submitted",)
+
+
 def test_times_without_a_zone_do_not_count(tmp_path: Path) -> None:
     place = put(tmp_path / "d", {f"{ANNA}/pick.v2": PICK})
     found = take_in(place, program=None, roster=read_roster(WORKSHEET, "w.csv", None))
