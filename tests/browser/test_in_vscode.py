@@ -3,6 +3,7 @@
 To start one costs more than everything that is done in it.
 """
 
+import re
 import tempfile
 from collections.abc import Iterator
 from pathlib import Path
@@ -17,6 +18,7 @@ pytestmark = [pytest.mark.browser, pytest.mark.thorough, installed]
 
 EXAMPLE = ROOT / "examples" / "01-cans-on-bases"
 MOVES_GOAL = 20  # line of `MOVES goal`
+SAFE = re.compile(r"^safe +(\S+) +(\S+) +(\S+) +90.00 +90.00 +0.00$")
 
 
 @pytest.fixture
@@ -58,6 +60,65 @@ def keys_go_to(code: Code, arm: Frame) -> None:
     code.until(lambda: not arm.evaluate("document.hasFocus()"), "the keys are the text's")
 
 
+def numbers_of_safe(code: Code) -> tuple[str, ...]:
+    """Return X, Y and Z of the location `safe` as the text has them."""
+    found = SAFE.match(code.text("safe      "))
+    return found.groups() if found else ()
+
+
+def a_location_is_dragged(code: Code, arm: Frame) -> None:
+    """The text changes by one edit, undo brings it back; Escape gives up; keys do it, too."""
+    before = ("900.00", "30.00", "100.00")
+    code.until(lambda: numbers_of_safe(code) == before, "the line of the location")
+    mouse, keys = code.page.mouse, code.page.keyboard
+    handle = arm.locator(".place", has_text="safe")
+    handle.wait_for()
+
+    def drag(x: int, y: int) -> None:
+        box = handle.bounding_box()
+        assert box is not None
+        mouse.move(box["x"] + 12, box["y"] + 12)
+        mouse.down()
+        mouse.move(box["x"] + 12 + x, box["y"] + 12 + y, steps=4)
+
+    drag(20, -6)
+    code.until(lambda: "mm: reachable" in arm.inner_text(".moving"), "the arm reaches it")
+    told = arm.inner_text(".moving")
+    mouse.up()
+    code.until(lambda: numbers_of_safe(code) not in ((), before), "the text has other numbers")
+    at = [f"{axis} {float(x):.1f}" for axis, x in zip("XYZ", numbers_of_safe(code), strict=True)]
+    assert told.startswith(f"safe  {'  '.join(at)} mm".replace("-", "−"))
+    code.until(lambda: note(arm).startswith("Click a line"), "it is verified")
+    keys.press("Control+z")
+    code.until(lambda: numbers_of_safe(code) == before, "undo")
+    code.until(lambda: note(arm).startswith("Click a line"), "it is verified again")
+
+    drag(150, 0)
+    code.until(lambda: "mm: not reachable" in arm.inner_text(".moving"), "it is out of reach")
+    keys.press("Escape")
+    mouse.up()
+    assert arm.locator(".moving").is_hidden()
+
+    keys.down("Shift")
+    drag(30, -10)
+    code.until(lambda: "X 900.0  Y 30.0  Z 1" in arm.inner_text(".moving"), "upward alone")
+    keys.press("Escape")
+    mouse.up()
+    keys.up("Shift")
+    assert numbers_of_safe(code) == before, "given up"
+
+    handle.focus()
+    keys.press("ArrowLeft")
+    keys.press("Control+ArrowUp")
+    keys.press("PageUp")
+    keys.press("Enter")
+    code.until(lambda: numbers_of_safe(code) == ("899.90", "31.00", "100.10"), "keys")
+    code.line("MOVES goal")
+    keys.press("Control+z")
+    code.until(lambda: numbers_of_safe(code) == before, "one undo of the text")
+    code.until(lambda: note(arm).startswith("Click a line"), "it is verified once more")
+
+
 def test_the_arm_stands_where_text_and_debugger_stand(code: Code) -> None:
     code.open("solution.v2")
     code.until(lambda: "10.0 / 10 · ready" in code.status(), "the mark in the status bar")
@@ -71,6 +132,7 @@ def test_the_arm_stands_where_text_and_debugger_stand(code: Code) -> None:
     arm.evaluate(f"window.vrts.stage.jump({first[5] + 0.3})")  # the time bar: the line is lit
     code.until(lambda: code.lit() == 5, "the line of that time")
 
+    a_location_is_dragged(code, arm)
     code.line("SPEED 100")
     code.page.keyboard.press("F5")
     code.until(lambda: note(arm) == "The debugger stands at 0.000 s, line 3.", "debugging")

@@ -71,6 +71,27 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/debug/dap/test_inline.py",),
     ),
     Patch(
+        "a location that is dragged takes the decimals of its line along no more",
+        "vrts/lsp/answers/placing.py",
+        '    decimals = max(_FEWEST, *(len(m[0].partition(".")[2]) for m in spots))',
+        "    decimals = _FEWEST",
+        ("tests/unit/lsp/answers/test_placing.py",),
+    ),
+    Patch(
+        "a location that stands behind a frame can be dragged as if it stood alone",
+        "vrts/report/locations/rows.py",
+        "    if use.behind and not use.as_place:\n        return f",
+        "    if False:\n        return f",
+        ("tests/unit/report/locations",),
+    ),
+    Patch(
+        "what a subroutine gives to its argument is no reason not to drag it",
+        "vrts/report/locations/uses.py",
+        "            changed |= after != before",
+        "            after = before",
+        ("tests/unit/report/locations",),
+    ),
+    Patch(
         "a fault in a task file takes the scene beside it away",
         "vrts/lsp/server/background/settings.py",
         "        if looked.recording is not None:",

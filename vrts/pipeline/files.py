@@ -55,6 +55,17 @@ def scene_names() -> tuple[str, ...]:
     )
 
 
+def unwritable(name: str) -> str:
+    """Return why a file cannot be written, for a sentence; nothing where it can, or is none yet."""
+    try:
+        mode = os.stat(name).st_mode
+    except (OSError, ValueError):
+        return ""  # a buffer that was never saved
+    if mode & 0o222 and os.access(name, os.W_OK):
+        return ""
+    return f"`{os.path.basename(name)}` is write-protected"
+
+
 def asked_scene(name: str, beside: Path | None = None) -> Path:
     """Return the file of a scene that whoever calls has named; `-` is stdin.
 

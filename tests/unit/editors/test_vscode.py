@@ -101,7 +101,9 @@ def test_what_is_vendored_is_unmodified() -> None:
 @pytest.mark.skipif(shutil.which("node") is None, reason="needs Node")
 def test_the_script_is_sound(tmp_path: Path) -> None:
     ARCHIVE.extractall(tmp_path)
-    for name in ("extension.js", "beside.js", "status.js", "vendor/languageclient.js"):
+    ours = [path.name for path in (tmp_path / "extension").glob("*.js")]
+    assert {"extension.js", "beside.js", "moving.js", "status.js"} <= set(ours)
+    for name in (*ours, "vendor/languageclient.js"):
         path = tmp_path / "extension" / name
         checked = subprocess.run(
             ["node", "--check", str(path)], capture_output=True, text=True, check=False

@@ -12,7 +12,9 @@ from vrts.debug.conditions.heard_proposer import HeardProposer
 from vrts.debug.dap.arguments import BadRequest, Fields
 from vrts.debug.dap.session import PROCESS, ROBOT, Answer, Event, Session
 from vrts.pipeline.curve import with_curve
+from vrts.pipeline.files import unwritable
 from vrts.report.assessment import Assessment
+from vrts.report.locations.rows import location_rows
 from vrts.report.page.page import recording
 from vrts.report.page.replay_lanes import goal_times
 
@@ -51,7 +53,11 @@ def _recording(session: Session, a: Fields) -> Answer:
         judgement=Judgement((), session.debugger.alarms.report),
     )
     curved = with_curve(found, HeardProposer(session.debugger.hear))
-    shown = {**recording(curved, None), **goal_times(run, session.debugger.task)}
+    shown = {
+        **recording(curved, None),
+        **goal_times(run, session.debugger.task),
+        "locations": location_rows(run.module, run, unwritable),
+    }
     return Answer({"recording": shown, "future": session.future})
 
 

@@ -9,6 +9,7 @@ const vscode = require("vscode");
 const crypto = require("node:crypto");
 const fs = require("node:fs");
 const path = require("node:path");
+const { Moving } = require("./moving.js");
 
 const LANGUAGE = "val2";
 const SCENES = /(^|[\\/])(scene|task)\.toml$/; // files whose scene is shown while they are written
@@ -40,6 +41,7 @@ class Beside {
     /** @type {number | undefined} */ this.wanted = undefined; // time [s] to go to next
     /** @type {any[]} */ this.waiting = []; // messages, until the panel is ready
     this.ready = false;
+    this.moving = new Moving(ask, (message) => this.post(message));
     context.subscriptions.push(
       this.light,
       vscode.window.onDidChangeTextEditorSelection((/** @type {any} */ event) => this.selected(event)),
@@ -99,9 +101,24 @@ class Beside {
       for (const one of this.waiting.splice(0)) this.post(one);
     }
     if (message.kind === "leave") void this.leave();
+    if (message.kind === "reach" && this.uri) void this.moving.reach(this.uri, message);
+    if (message.kind === "move" && this.uri) void this.moved(message);
+    if (message.kind === "undo" || message.kind === "redo") void this.moving.again(message.kind, this.uri);
     if (message.kind !== "at") return;
     if (this.session) void this.seek(message.t);
     else this.lightUp(message.line);
+  }
+
+  /** A location was dragged: the text changes, and with it what is debugged. @param {any} message */
+  async moved(message) {
+    const document = await this.moving.move(this.uri, message);
+    if (!document || !this.session) return;
+    const changed = { path: document.uri.fsPath, text: document.getText() };
+    try {
+      await this.session.customRequest("vrts/edit", changed);
+    } catch (problem) {
+      this.post({ kind: "note", text: `The debugger goes on with the text before: ${told(problem)}`, old: true });
+    }
   }
 
   /** Give the keys back to the text. */

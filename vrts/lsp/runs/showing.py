@@ -8,10 +8,12 @@ from vrts.engine.run import Run
 from vrts.lsp.channel.showing import Shown
 from vrts.pipeline.compiling.programs import Compiled
 from vrts.pipeline.curve import with_curve
+from vrts.pipeline.files import unwritable
 from vrts.pipeline.setting import Setting
 from vrts.report.assessment import Assessment
 from vrts.report.audience import as_allowed, for_student
 from vrts.report.first_screen import first_screen
+from vrts.report.locations.rows import location_rows
 from vrts.report.page.page import replay_data
 from vrts.report.page.replay_lanes import goal_times
 from vrts.report.quantities import full, mark
@@ -44,6 +46,8 @@ def shown(setting: Setting, compiled: Compiled, run: Run, judgement: Judgement) 
     )
     a = with_curve(for_student(as_allowed(found, setting.stamps)))
     screen = first_screen(a)
+    places = [] if module is None else location_rows(module, run, unwritable)
+    recorded = {**replay_data(a), **goal_times(run, task), "locations": places}
     span = screen.span
     return Shown(
         "" if screen.mark is None else f"{mark(screen.mark)} / {full(screen.total)}",
@@ -52,8 +56,6 @@ def shown(setting: Setting, compiled: Compiled, run: Run, judgement: Judgement) 
         screen.obstacles,
         screen.cause,
         setting.environment is None,
-        json.dumps(
-            {**replay_data(a), **goal_times(run, task)}, separators=(",", ":"), allow_nan=False
-        ),
+        json.dumps(recorded, separators=(",", ":"), allow_nan=False),
         span.line if span is not None and span.source is source else 0,
     )

@@ -23,7 +23,7 @@ from vrts.lsp.server import (
     running,
     syncing,
 )
-from vrts.lsp.server.beside import showing
+from vrts.lsp.server.beside import locations, showing
 from vrts.lsp.server.messages.stream import Broken, Messages, Outgoing
 from vrts.lsp.server.session import Session
 
@@ -134,6 +134,7 @@ def session_with_features(*, runs: bool = True) -> Session:
         mending,
         running,
         commanding,
+        locations,
         showing,
     )
     for features in rooms:

@@ -1,5 +1,6 @@
 // Beside the text of an editor: obeys the editor's messages, and tells it where the reader goes.
 
+import { Places } from "./places.js";
 import { Stage } from "./stage.js";
 
 const EVERY = 100; // [ms] between what the editor is told while something plays
@@ -9,6 +10,15 @@ const editor = /** @type {any} */ (window).acquireVsCodeApi();
 const note = /** @type {HTMLElement} */ (document.getElementById("note"));
 const replay = /** @type {HTMLElement} */ (document.getElementById("replay"));
 const stage = new Stage(tell);
+document.querySelector(".controls")?.append(/** @type {HTMLElement} */ (document.getElementById("places-check")));
+const places = new Places(
+  /** @type {HTMLElement} */ (document.querySelector(".view")),
+  /** @type {HTMLInputElement} */ (document.getElementById("show-places")),
+  {
+    reach: (row, at) => editor.postMessage({ kind: "reach", ...called(row), at }),
+    move: (row, at) => editor.postMessage({ kind: "move", ...called(row), at }),
+  },
+);
 let [toldLine, toldAt] = [-1, -Infinity];
 /** @type {Promise<void>} */
 let going = Promise.resolve();
@@ -19,6 +29,11 @@ function tell(t, line) {
   if (stage.player.playing && line === toldLine && now - toldAt < EVERY) return;
   [toldLine, toldAt] = [line, now];
   editor.postMessage({ kind: "at", t, line, playing: stage.player.playing });
+}
+
+/** Return what a location is called among ourselves. @param {import("./places.js").Row} row */
+function called({ name, of, subscripts, file }) {
+  return { name, of, subscripts, file };
 }
 
 /** @param {string} text @param {boolean} old whether what is shown is of another text */
@@ -32,7 +47,10 @@ const OBEYED = {
   async recording({ recording, t, still, text, old }) {
     replay.hidden = false;
     replay.classList.toggle("still", Boolean(still));
-    await stage.take(typeof recording === "string" ? JSON.parse(recording) : recording, Number.isFinite(t) ? t : null);
+    const data = typeof recording === "string" ? JSON.parse(recording) : recording;
+    await stage.take(data, Number.isFinite(t) ? t : null);
+    places.over(stage.viewer);
+    places.take(data.locations ?? []);
     say(text ?? "", old);
   },
   time({ t, text }) {
@@ -46,6 +64,13 @@ const OBEYED = {
   note({ text, old }) {
     say(text, old);
   },
+  reach(answer) {
+    places.answered(answer);
+  },
+  moved({ name, why, text }) {
+    if (why !== undefined) places.refused(name);
+    say(why === undefined ? text : `${name} stays: ${why}`, why !== undefined);
+  },
 };
 
 window.addEventListener("message", ({ data }) => {
@@ -53,8 +78,13 @@ window.addEventListener("message", ({ data }) => {
   if (act) going = going.then(() => act(data)).catch((problem) => say(`this cannot be shown: ${problem.message}`, true));
 });
 document.addEventListener("keydown", (event) => {
+  const key = event.key.toLowerCase();
+  if ((event.ctrlKey || event.metaKey) && !event.altKey && (key === "z" || key === "y")) {
+    editor.postMessage({ kind: key === "y" || event.shiftKey ? "redo" : "undo" }); // of the text
+    event.preventDefault();
+  }
   if (event.key === "Escape") editor.postMessage({ kind: "leave" }); // back to the text
 });
 editor.postMessage({ kind: "ready" });
 // For tests and for the curious.
-Object.assign(window, { vrts: { stage } });
+Object.assign(window, { vrts: { stage, places } });

@@ -65,6 +65,7 @@ export class Viewer {
     this.following = false;
     this.pending = false;
     this.gone = false;
+    this.drawn = () => {}; // called after each drawing
     this.surroundings = new Group();
     this.scene.add(this.surroundings);
     this.robot = new RobotFigure(data.robot);
@@ -301,6 +302,7 @@ export class Viewer {
     if (this.gone) return;
     this.hideSmall();
     this.renderer.render(this.scene, this.camera);
+    this.drawn();
   }
 
   /** Leave out numbers on floor and table that are too small to be read. */
