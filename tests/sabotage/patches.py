@@ -204,6 +204,20 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/marking/similarity/test_features.py",),
     ),
     Patch(
+        "how often programs have each word of the language counts nothing for likeness",
+        "vrts/marking/similarity/weighing/chance.py",
+        "        together = together + _surprise_of_rank(counted, measure)",
+        "        together = together + 0.0",
+        ("tests/unit/marking/similarity/test_counted.py",),
+    ),
+    Patch(
+        "likeness names people of an earlier year in a class that is marked without names",
+        "vrts/marking/similarity/corpus.py",
+        "    if not corpora.programs or not is_nameless(layout):",
+        "    if corpora.programs is not None:",
+        ("tests/unit/marking/similarity/test_corpus.py",),
+    ),
+    Patch(
         "programs that hang together by a chain alone are a group",
         "vrts/marking/similarity/weighing/grouping.py",
         "        if not fits or min(between) < LEAST_LINK * strongest:",
@@ -248,8 +262,8 @@ PATCHES: tuple[Patch, ...] = (
     Patch(
         "what crowds tells as much of a copy as what is rare",
         "vrts/marking/similarity/weighing/nearness.py",
-        "    nats = _weights(np.maximum(rank, 1), count)",
-        "    nats = _weights(np.maximum(rank * 0, 1), count)",
+        "    nats = nats_of_rank(np.maximum(rank, 1), count)",
+        "    nats = nats_of_rank(np.maximum(rank * 0, 1), count)",
         ("tests/unit/marking/similarity/test_nearness.py",),
     ),
     Patch(

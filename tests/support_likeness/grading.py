@@ -69,8 +69,11 @@ def graded(
     return Alike(groups_in(where / "out" / "staff" / "similarity.json"), wall_s, processor_s)
 
 
-def compared(whole: Class) -> list[Group]:
-    """Return what is alike in a class, as `vrts grade` finds it, in this process and unmarked."""
+def compared(whole: Class, corpus: Sequence[tuple[str, Class]] = ()) -> list[Group]:
+    """Return what is alike in a class, as `vrts grade` finds it, in this process and unmarked.
+
+    The corpus is as a plain folder is: nobody ran its programs.
+    """
     task = folder(JOBS[whole.job])
     setting = setting_of(str(task))
     programs: dict[str, Program] = {}
@@ -82,7 +85,11 @@ def compared(whole: Class) -> list[Group]:
         else:
             programs[name] = Program(file.data, sketch(found.run, found.scene))
     beside = (*given(task, setting), YEARS[whole.year - 1].text.encode())
-    groups = likeness(programs, beside, jobs=1).groups
+    corpora = {
+        name: {one: Program(text.encode()) for one, text in other.texts.items()}
+        for name, other in corpus
+    }
+    groups = likeness(programs, beside, corpora=corpora, jobs=1).groups
     return [Group(frozenset(one.members), one.score, one.strength) for one in groups]
 
 

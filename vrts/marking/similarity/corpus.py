@@ -12,6 +12,8 @@ from vrts.marking.class_marks import entries
 from vrts.marking.intake.take_in import take_in_tree
 from vrts.marking.intake.tree.opening import open_place
 from vrts.marking.layout import Layout
+from vrts.marking.privacy.others import called, is_nameless
+from vrts.marking.privacy.pseudonyms import key_for
 from vrts.marking.similarity.features.extract import Program
 from vrts.marking.similarity.kept import is_kept, place_of, read_kept
 from vrts.pipeline.files import CannotRead
@@ -71,6 +73,28 @@ def read_corpora(paths: Sequence[Path], out: Path | None = None) -> Corpora:
         if marked or (path.is_file() and is_kept(path)):
             kept[name] = digest_of(place_of(Layout(path)) if marked else path)
     return Corpora(programs, places, tuple(findings), kept)
+
+
+def nameless(corpora: Corpora, layout: Layout) -> tuple[Corpora, Mapping[str, str]]:
+    """Return the programs as a marking may show them, and by `FOLDER/PSEUDONYM` whose they are.
+
+    In a class that is marked without names, nobody of another folder is named either, and reports
+    with names are not shown. In any other marking all stays as it is.
+
+    Raises:
+        Refused: The key of the marking is none.
+    """
+    if not corpora.programs or not is_nameless(layout):
+        return corpora, {}
+    key = key_for(layout)
+    ids: dict[str, str] = {}
+    programs: dict[str, dict[str, Program]] = {}
+    for folder, found in corpora.programs.items():
+        named = {one: called(one, key) for one in found}
+        programs[folder] = {named[one]: program for one, program in found.items()}
+        ids |= {f"{folder}/{name}": one for one, name in named.items()}
+    places = {name: at for name, at in corpora.places.items() if is_nameless(Layout(at))}
+    return corpora._replace(programs=programs, places=places), ids
 
 
 def digest_of(path: Path) -> str:

@@ -3,12 +3,13 @@
 from collections.abc import Iterable, Mapping, Sequence
 from itertools import chain
 
+from vrts.marking.similarity.features.counts import Counts
 from vrts.marking.similarity.features.episodes import Detail, words_of_detail
 from vrts.marking.similarity.features.extract import CHANNELS
 from vrts.marking.similarity.features.feature import Channel, Feature
 from vrts.marking.similarity.features.words import words_of
 from vrts.marking.similarity.groups import Evidence
-from vrts.marking.similarity.weighing.nearness import Near
+from vrts.marking.similarity.weighing.nearness import Near, as_near
 from vrts.marking.similarity.weighing.shares import Shares
 
 MOST = 24  # told of two programs
@@ -55,6 +56,23 @@ def nearness_told(
         words, weight = words_of_detail(mine), round(one.weight, 2)
         told.append(Evidence("motion", words, weight, one.others, mine.line, theirs.line))
     return told
+
+
+def counts_told(first: Counts, second: Counts, weight: float, count: int) -> list[Evidence]:
+    """Return whether two programs have each word of the language nearly as often.
+
+    Args:
+        first: How often a program has each word.
+        second: Another.
+        weight: How few of the class are as near, in nats.
+        count: Programs of the class.
+    """
+    if weight < LEAST:
+        return []
+    one, other = dict(first), dict(second)
+    apart = sum(abs(one.get(word, 0) - other.get(word, 0)) for word in one.keys() | other.keys())
+    words = "each word of the language as often" + (f", {apart} more or fewer in all" * (apart > 0))
+    return [Evidence("text", words, round(weight, 2), as_near(weight, count) - 1, 0, 0)]
 
 
 def most_telling(told: Iterable[Evidence]) -> tuple[Evidence, ...]:

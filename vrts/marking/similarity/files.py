@@ -13,8 +13,10 @@ from vrts.assignments.variants.places import with_places
 from vrts.marking.layout import COMPARED, Layout, write_atomically
 from vrts.marking.marking import Done
 from vrts.marking.overview.links import staff_report
+from vrts.marking.privacy.others import write_others
+from vrts.marking.privacy.pseudonyms import NAMES
 from vrts.marking.result import Kind
-from vrts.marking.similarity.corpus import NONE, Corpora
+from vrts.marking.similarity.corpus import NONE, Corpora, nameless
 from vrts.marking.similarity.groups import Group, Link
 from vrts.marking.similarity.kept import Kept, keep, place_of, with_sketches
 from vrts.marking.similarity.likeness import likeness
@@ -117,6 +119,7 @@ def remove_pages(layout: Layout) -> None:
         (layout.staff / name).unlink(missing_ok=True)
     for path in (layout.staff / COMPARED).glob(f"{PAIR}*.html"):
         path.unlink()
+    (layout.staff / COMPARED / NAMES).unlink(missing_ok=True)
 
 
 def write_similarity(
@@ -136,6 +139,7 @@ def write_similarity(
         corpora: Programs of earlier years and other folders.
         pages: Whether there are pages about the submissions to link to.
     """
+    corpora, ids = nameless(corpora, layout)
     texts = {name: program.data for name, program in kept.programs.items()}
     ranking = similarity(texts, kept.given, kept.together)
     found = likeness(kept.programs, kept.given, kept.together, corpora.programs)
@@ -158,6 +162,9 @@ def write_similarity(
                 evidence = found.evidence(link.first, link.second)
                 page = pair_page(link, group, evidence, both, kept.title)
                 write_atomically(layout.staff / link.page, page.encode())
+    if ids:
+        shown = sorted({one for group in groups for one in group.members} & ids.keys())
+        write_others((one.split("/", 1) for one in shown), ids, layout)
     page = similarity_page(ranking, texts, kept.title, names, pages=pages)
     write_atomically(layout.staff / PAGE, page.encode())
     write_atomically(layout.staff / DATA, to_bytes(ranking))

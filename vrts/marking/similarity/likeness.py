@@ -9,7 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vrts.base.workers import Workers
-from vrts.marking.similarity.evidence import evidence_of, most_telling, nearness_told
+from vrts.marking.similarity.evidence import (
+    counts_told,
+    evidence_of,
+    most_telling,
+    nearness_told,
+)
+from vrts.marking.similarity.features.counts import Counts
 from vrts.marking.similarity.features.episodes import Detail, by_key
 from vrts.marking.similarity.features.extract import (
     CHANNELS,
@@ -22,6 +28,7 @@ from vrts.marking.similarity.features.feature import Channel, Feature
 from vrts.marking.similarity.groups import Evidence, Group, Link, strength_of
 from vrts.marking.similarity.symbols import Reader
 from vrts.marking.similarity.weighing.chance import Chances, chances, sameness
+from vrts.marking.similarity.weighing.counted import counted
 from vrts.marking.similarity.weighing.grouping import Group as Together
 from vrts.marking.similarity.weighing.grouping import groups_of
 from vrts.marking.similarity.weighing.nearness import Nearness, nearness
@@ -85,6 +92,8 @@ def likeness(
     written = [one for one, channel in zip(found, CHANNELS, strict=True) if channel in WRITTEN]
     details = [by_key(program.sketch) for program in all_programs]
     near = nearness([_vectors(one) for one in details], len(own))
+    words = [one.words for one in digests]
+    as_often = counted(words, len(own))
     chance = chances(
         tuple(one.share for one in found),
         compared,
@@ -92,9 +101,12 @@ def likeness(
         sameness([one.same for one in written], [one.common for one in written]),
         near.total,
         np.array([program.sketch is not None for program in all_programs]),
+        as_often,
     )
     groups = groups_of(chance.surprise, chance.expected, compared, MOST_EXPECTED)
-    return _told(groups, names, all_programs, _Found(found, chance, known, near, details))
+    return _told(
+        groups, names, all_programs, _Found(found, chance, known, near, details, words, as_often)
+    )
 
 
 def _nothing(_first: str, _second: str) -> tuple[Evidence, ...]:
@@ -109,6 +121,8 @@ class _Found(NamedTuple):
     given: tuple[frozenset[int], ...]
     near: Nearness
     details: Sequence[Details]
+    words: Sequence[Counts]
+    counted: NDArray[np.float64]
 
 
 def _vectors(details: Details) -> Mapping[tuple[str, str], Sequence[tuple[float, ...]]]:
@@ -174,7 +188,9 @@ def _told(
         i, j = numbers[first], numbers[second]
         shared = evidence_of(features(i), features(j), found.shares, found.given)
         nearly = nearness_told(found.near.of(i, j), found.details[i], found.details[j])
-        return most_telling([*shared, *nearly])
+        weight = float(found.counted[i, j])
+        often = counts_told(found.words[i], found.words[j], weight, len(found.counted))
+        return most_telling([*shared, *nearly, *often])
 
     told: list[Group] = []
     for group in groups:

@@ -15,9 +15,11 @@ from tests.unit.report.page.test_html import Reader
 from vrts.base.zips import Unpacker
 from vrts.cli.main import vrts
 from vrts.marking.layout import Layout
-from vrts.marking.similarity.corpus import read_corpora
+from vrts.marking.privacy.pseudonyms import key_for
+from vrts.marking.similarity.corpus import Corpora, read_corpora
 from vrts.marking.similarity.evidence import Evidence
 from vrts.marking.similarity.features.extract import Program
+from vrts.marking.similarity.files import write_similarity
 from vrts.marking.similarity.groups import Group, Link
 from vrts.marking.similarity.kept import Kept, keep, place_of, read_kept
 from vrts.marking.similarity.pair_page import Side, pair_page
@@ -209,3 +211,24 @@ def test_nothing_foreign_gets_through(foreign: str) -> None:
     read, harmless = Reader(page(foreign)), Reader(page("harmless"))
     assert {tag for tag, _ in read.elements} <= {tag for tag, _ in harmless.elements}
     assert all(c.isprintable() or c == "\n" for c in read.text)
+
+
+def test_in_a_class_without_names_nobody_of_another_folder_is_named(tmp_path: Path) -> None:
+    layout = Layout(tmp_path / "out")
+    key_for(layout)
+    text = ORIGINAL.encode()
+    kept = Kept("Lab 1", {"bcdf-ghjk-lmnp": Program(text), "x": Program(text)}, {}, ())
+    old = {"zoe-zilk": Program(text), "qrst-vwxz-bcdf": Program(text)}
+    corpora = Corpora({"before": old}, {"before": tmp_path / "before"})
+    write_similarity(kept, layout, names={}, corpora=corpora)
+    written = b"".join(path.read_bytes() for path in layout.staff.rglob("*.[hj]*"))
+    assert b"qrst-vwxz-bcdf" in written, "a pseudonym stays as it is"
+    assert b"zoe-zilk" not in written
+    place = layout.staff / "similarity" / "names.csv"
+    lines = place.read_text(encoding="utf-8-sig").splitlines()
+    (line,) = (line for line in lines if line.endswith(",before,zoe-zilk"))
+    assert line.split(",")[0].encode() in written
+
+    write_similarity(kept, Layout(tmp_path / "named"), names={}, corpora=corpora)
+    assert "before/zoe-zilk" in (tmp_path / "named" / "staff" / "similarity.json").read_text()
+    assert not (tmp_path / "named" / "staff" / "similarity" / "names.csv").exists()

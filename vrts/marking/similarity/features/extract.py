@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from vrts.marking.similarity.features.code import code_features
+from vrts.marking.similarity.features.counts import Counts, words_counted
 from vrts.marking.similarity.features.feature import Channel, Feature
 from vrts.marking.similarity.features.habits import habit_features
 from vrts.marking.similarity.features.motion import motion_features
@@ -29,6 +30,7 @@ class Digests(NamedTuple):
     """A program as numbers: for each channel the digests of its features, each once, sorted."""
 
     channels: tuple[tuple[int, ...], ...]
+    words: Counts  # of the language
 
 
 def features_of(program: Program, name: str, reader: Reader) -> Iterator[Feature]:
@@ -55,4 +57,6 @@ def digests_of(program: Program, name: str, reader: Reader) -> Digests:
         if number >= MOST_FEATURES:
             break
         found[feature.channel].add(feature.digest)
-    return Digests(tuple(tuple(sorted(found[channel])) for channel in CHANNELS))
+    file = readable(program.data, name)
+    words = () if file is None else words_counted(file)
+    return Digests(tuple(tuple(sorted(found[channel])) for channel in CHANNELS), words)

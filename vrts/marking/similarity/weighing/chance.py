@@ -52,6 +52,7 @@ def chances(
     sure: Floats | None = None,
     near: Floats | None = None,
     ran: Bools | None = None,
+    counted: Floats | None = None,
 ) -> Chances:
     """Return how surprising the shares of a class are.
 
@@ -62,12 +63,15 @@ def chances(
         sure: Nats that are added to pairs that are nearly the same throughout.
         near: How near each pair is in detail; only ranks of it count.
         ran: Of each program, whether it is known what its run did; None: of all.
+        counted: How near each pair is in how often it has each word; only ranks of it count.
     """
     pairs = int(compared.sum())
     measure = _measure(found, compared, folders)
     channels = tuple(_surprise(share.astype(np.float64), measure) for share in found)
     nearly = 0.0 if near is None else NEAR_FACTOR * _surprise_of_rank(near, measure)
     together = np.tensordot(np.array(FACTORS[: len(channels)]), np.stack(channels), axes=1) + nearly
+    if counted is not None:
+        together = together + _surprise_of_rank(counted, measure)
     if ran is not None and not ran.all():
         written = together - nearly - sum(FACTORS[k] * channels[k] for k in OF_RUNS)
         together = _as_if_run(together, written, ran, measure)

@@ -72,7 +72,7 @@ class Nearness(NamedTuple):
             for first in range(end - start):
                 second = int(np.argmin(away[first]))
                 rank = max(1, int((usual[first] <= away[first, second] + SAME).sum()) - 1)
-                weight = float(_weights(np.array([rank]), len(self.total))[0])
+                weight = float(nats_of_rank(np.array([rank]), len(self.total))[0])
                 yield Near(key, first, second, weight, rank - 1)
 
 
@@ -136,7 +136,7 @@ def _nats_of_rows(
     rank = np.empty(away.shape, dtype=np.int64)
     for k in places:
         rank[k] = np.searchsorted(usual[k], away[k] + SAME, side="right")
-    nats = _weights(np.maximum(rank, 1), count)
+    nats = nats_of_rank(np.maximum(rank, 1), count)
     nats[places, owner] = 0.0
     return nats
 
@@ -148,6 +148,12 @@ def _away(one: NDArray[np.float32], other: NDArray[np.float32]) -> NDArray[np.fl
     return np.sqrt(found)
 
 
-def _weights(rank: NDArray[np.int64], count: int) -> Floats:
+def nats_of_rank(rank: NDArray[np.int64], count: int) -> Floats:
+    """Return what it counts that so many of a class are as near, in nats."""
     usual = rank / (count + BACKGROUND)
     return np.maximum(0.0, np.log(COMMON) - np.log(usual))
+
+
+def as_near(nats: float, count: int) -> int:
+    """Return how many of a class are as near, from the nats that it counts."""
+    return max(1, round(COMMON * (count + BACKGROUND) * float(np.exp(-nats))))

@@ -7,7 +7,7 @@ import { mark, moment } from "../words.js";
 /** @typedef {import("../desk.js").Desk} Desk */
 /** @typedef {import("../types.js").Detail} Detail */
 
-const ALIKE = "/files/staff/similarity.html";
+export const ALIKE = "/files/staff/similarity.html"; // the groups of the class
 const LEAST = 3; // characters of a line that is worth being called the same
 
 /** Show two programs in a dialog. @param {Desk} desk @param {string} first @param {string} second ids */

@@ -3,7 +3,7 @@
 import { button, byId, figure, make, prose } from "../../live/dom.js";
 import { counted, lost, mark, moment, points, when } from "../words.js";
 import { ask } from "../ask.js";
-import { compare } from "../views/compare.js";
+import { ALIKE, compare } from "../views/compare.js";
 import { tabs } from "./tabs.js";
 
 /** @typedef {import("../desk.js").Desk} Desk */
@@ -77,9 +77,12 @@ export class Reasons {
     return [make("h3", { text: `Alike (${like.strength})` }),
       make("p", { class: "soft", text: "Look and decide: likeness never changes a mark." }),
       make("ul", { class: "past" }, ...like.with.slice(0, MOST_ALIKE).map((id) => {
-        const name = this.desk.rows.get(id)?.name ?? id;
-        return make("li", {}, make("p", {}, button(name, () => void this.desk.choose(id), { class: "as-link" })),
-          button("Compare", () => void compare(this.desk, detail.row.id, id), { class: "jump", "aria-label": `Compare with ${name}` }));
+        const row = this.desk.rows.get(id);
+        if (!row) { // of another folder: its program stands on the pages of the comparison alone
+          return make("li", {}, make("p", { text: id }), make("a", { href: ALIKE, target: "_blank", rel: "noopener", "aria-label": `Compare with ${id}`, text: "Compare" }));
+        }
+        return make("li", {}, make("p", {}, button(row.name, () => void this.desk.choose(id), { class: "as-link" })),
+          button("Compare", () => void compare(this.desk, detail.row.id, id), { class: "jump", "aria-label": `Compare with ${row.name}` }));
       })), ...(like.with.length > MOST_ALIKE ? [make("p", { class: "soft", text: `and ${like.with.length - MOST_ALIKE} more` })] : [])];
   }
 
