@@ -18,7 +18,7 @@ from vrts.assignments.pack import Bundle, read_zip
 from vrts.assignments.packed import is_packed, setting_of
 from vrts.assignments.task_folder import SOLUTION, TaskFiles, read_folder, reference_of
 from vrts.assignments.variants.places import with_places
-from vrts.base.diagnostic import Diagnostic, Label, error
+from vrts.base.diagnostic import Diagnostic, Label, Rule, error
 from vrts.base.source import SourceFile
 from vrts.check.task.manifest import Manifest, sha256
 from vrts.check.variants.drawn import Variant, drawn
@@ -51,6 +51,7 @@ from vrts.report.plain import one_line
 from vrts.scene.handling.withheld import all_locations
 
 START = "start.v2"
+SCENES_STAY = Rule("V920", "hidden-scenes-cannot-vary")
 
 
 @dataclass(frozen=True, slots=True)
@@ -197,8 +198,7 @@ def load_varied(path: Path) -> VariedTask:
         hint = "add `[variants]` to its `task.toml`: `vrts manual variants` tells how"
         raise CannotRead(f"the task `{path}` has no variants", (hint,))
     if base.variants:
-        hint = f"hide what is checked in `{STAFF_FOLDER}/{TASK_FILE}`, which may vary too"
-        raise CannotRead("a task with `[variants]` has no hidden scenes beside its own", (hint,))
+        raise _not_varied(variants)
     names = {TASK: TASK_FILE, SCENE: files.scene}
     every = {**files.public, **files.staff}
     for word, name in ((SCENARIO, SCENARIO_FILE), (STAFF, f"{STAFF_FOLDER}/{TASK_FILE}")):
@@ -211,6 +211,19 @@ def load_varied(path: Path) -> VariedTask:
     if found:
         raise Refused(found)
     return VariedTask(files, variants, base, solution, sources, names)
+
+
+def _not_varied(variants: Variants) -> Refused:
+    """Return the refusal of hidden scenes: the places of a variant cannot be put into them."""
+    folder = f"{STAFF_FOLDER}/scenes"
+    headline = f"scenes in `{folder}` cannot vary, and the task has `[variants]`"
+    note = "in them each would be marked with places that are not those of the own variant"
+    remedies = (
+        f"hide what is checked in `{STAFF_FOLDER}/{TASK_FILE}`: it is marked in each own variant",
+        f"or take the scenes out of `{folder}`",
+    )
+    found = error(SCENES_STAY, headline, Label(variants.span), notes=(note,), help=remedies)
+    return Refused((found,))
 
 
 def _text(data: bytes) -> str:

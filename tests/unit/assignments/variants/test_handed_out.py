@@ -178,8 +178,13 @@ def test_hidden_scenes_are_refused_since_nothing_varies_in_them(tmp_path: Path) 
     lab = copied(tmp_path)
     (lab / "staff" / "scenes").mkdir()
     shutil.copy(lab / "scene.toml", lab / "staff" / "scenes" / "other.toml")
-    with pytest.raises(CannotRead, match="no hidden scenes"):
+    with pytest.raises(Refused) as refused:
         load_varied(lab)
+    (found,) = refused.value.diagnostics
+    assert found.rule.code == "V920"
+    assert found.headline == "scenes in `staff/scenes` cannot vary, and the task has `[variants]`"
+    assert found.primary is not None
+    assert found.primary.span.text.startswith("[variants]")
 
 
 def test_the_key_is_for_its_owner_and_is_never_taken_from_elsewhere(tmp_path: Path) -> None:

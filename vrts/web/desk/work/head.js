@@ -56,7 +56,7 @@ export class Head {
     if (row.otherwise) tags.push(tag("agreed otherwise", "bad", row.otherwise));
     if (row.conflict) tags.push(button("Conflict", () => desk.show("conflicts"), { class: "tag bad" }));
     for (const doubt of row.unsafe) if (doubt.reason !== "conflict") tags.push(tag(doubt.reason, "review", doubt.sentence));
-    if (row.late) tags.push(tag(row.deduction ? `late, −${row.deduction}` : "late", "", row.late));
+    if (row.late && !row.unsafe.some((doubt) => doubt.reason === "late")) tags.push(tag(row.deduction ? `late, −${row.deduction}` : "late", "", row.late));
     if (row.due) tags.push(tag(`due ${when(row.due)}`, "", "A later deadline"));
     if (row.likeness) {
       const others = row.likeness.with.map((id) => desk.rows.get(id)?.name ?? id).join(", ");
