@@ -36,6 +36,13 @@ __all__ = ["PATCHES", "Patch"]
 
 PATCHES: tuple[Patch, ...] = (
     Patch(
+        "Kate looks for the first word of a line no more once there was a label",
+        "vrts/editors/kate.py",
+        '"#stay" if p.parts == ("label",) else "rest"',
+        '"rest"',
+        ("tests/unit/editors/test_set_up.py",),
+    ),
+    Patch(
         "the debugger jumps behind the step that wrote a value, and not before it",
         "vrts/debug/history/track.py",
         "            found = instant_of(run, moment.number - 1)",

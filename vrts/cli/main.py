@@ -26,7 +26,7 @@ SECTIONS = {  # heading: name: where it is, what it does
             "authoring.new_command",
             "begin a scene, task, program, lab, environment or scenario",
         ),
-        "editor": ("editors.editor_command", "set up VS Code, Neovim, Emacs or Helix for VAL-II"),
+        "editor": ("editors.editor_command", "set up VS Code, Neovim and other editors for VAL-II"),
         "lsp": ("editors.lsp_command", "help an editor while you write programs"),
         "dap": ("editors.dap_command", "debug programs from an editor, forward and backward"),
     },

@@ -27,6 +27,7 @@ _AFTER = r"(?![\w.])"
 _INDEX = r"\[(?:[^\[\]\n]|\[[^\[\]\n]*\])*\]"  # may hold an element of another array
 _NOT_ASSIGNED = rf"(?![\w.]|[ \t]*=(?!=)|[ \t]*{_INDEX}[ \t]*=(?!=))"
 _NAME = r"[A-Za-z][\w.]*"
+LABEL = r"^([ \t]*\d+)?([ \t]*)"  # before the first word of a line
 
 
 def _any(words: Iterable[str]) -> str:
@@ -55,15 +56,14 @@ def patterns() -> tuple[Pattern, ...]:
     bare = [name for name, signature in FUNCTIONS.items() if signature.bare]
     inner = ["THEN", "DO", "OF", "TO", "STEP", "GOTO"]
     qualifiers = QUALIFIERS.keys() - set(inner)
-    label = r"^([ \t]*\d+)?([ \t]*)"
     return (
         Pattern(r";[^\n]*", ("comment",)),
         Pattern(
             r"^[ \t]*\.(?:PROGRAM|END|LOCATIONS|REALS|STRINGS|DOUBLES|TRANS|JOINTS)\b", ("section",)
         ),
         Pattern(r'"[^"\n]*"?', ("string",)),
-        Pattern(rf"{label}({_any(structure)}){_NOT_ASSIGNED}", ("label", "blank", "structure")),
-        Pattern(rf"{label}({_any(others)}){_NOT_ASSIGNED}", ("label", "blank", "instruction")),
+        Pattern(rf"{LABEL}({_any(structure)}){_NOT_ASSIGNED}", ("label", "blank", "structure")),
+        Pattern(rf"{LABEL}({_any(others)}){_NOT_ASSIGNED}", ("label", "blank", "instruction")),
         Pattern(r"^[ \t]*\d+(?=[ \t;]|$)", ("label",)),
         Pattern(r"'[^\n]", ("character",)),
         Pattern(r"\^(?:H[0-9A-F]+|B[01]+|[0-7]+)\b", ("number",)),

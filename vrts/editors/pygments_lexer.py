@@ -20,7 +20,7 @@ from pygments.token import (
 
 from vrts.editors.patterns import Pattern, patterns
 
-_TOKENS = {
+TOKENS = {
     "comment": Comment.Single,
     "section": Keyword.Namespace,
     "string": String.Double,
@@ -45,9 +45,9 @@ _TOKENS = {
 
 def _rule(pattern: Pattern) -> tuple[str, Any]:
     if len(pattern.parts) == 1:
-        return pattern.expression, _TOKENS[pattern.parts[0]]
+        return pattern.expression, TOKENS[pattern.parts[0]]
     by_groups: Any = getattr(pygments_lexer, "bygroups")  # noqa: B009 -- untyped in the stubs
-    return pattern.expression, by_groups(*(_TOKENS[part] for part in pattern.parts))
+    return pattern.expression, by_groups(*(TOKENS[part] for part in pattern.parts))
 
 
 class Val2Lexer(RegexLexer):
