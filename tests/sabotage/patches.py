@@ -36,6 +36,20 @@ __all__ = ["PATCHES", "Patch"]
 
 PATCHES: tuple[Patch, ...] = (
     Patch(
+        "Enter on a line of an answer leads to what another line tells",
+        "vrts/debug/terminal/keys.py",
+        'self._do(f"go {page.goes[page.chosen]}")',
+        'self._do(f"go {page.chosen + 1}")',
+        ("tests/unit/debug/terminal/test_answers.py",),
+    ),
+    Patch(
+        "the terminal debugger offers to reload a scene, which it cannot",
+        "vrts/debug/files.py",
+        "if self._texts.intersection(others) else",
+        "if others else",
+        ("tests/unit/debug/terminal/test_answers.py",),
+    ),
+    Patch(
         "Kate looks for the first word of a line no more once there was a label",
         "vrts/editors/kate.py",
         '"#stay" if p.parts == ("label",) else "rest"',

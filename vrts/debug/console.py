@@ -16,7 +16,7 @@ from vrts.debug.frames import Frame, frames
 from vrts.debug.giving import Target, command_for, given, target_of
 from vrts.debug.history import answers
 from vrts.debug.marks.deeds import WORDS, Marking
-from vrts.debug.marks.goals import Goals
+from vrts.debug.marks.goals import Goals, Listed
 from vrts.debug.passages import Instant
 from vrts.engine.memory.cells import Bound
 from vrts.ir.commands import Answer, Command, SetLocal
@@ -138,14 +138,34 @@ class Console:
         if word == "go":
             return self.go(name)
         try:
-            if word == "why":
-                return self.why(name, frame)
-            told = self.changed(word, name, frame)
+            return "\n".join(line.text for line in self.listed(word, name, frame))
         except CannotTell as problem:
             return str(problem)
-        lines, goes = answers.rows(told)
-        self._show(goes)
-        return "\n".join(lines)
+
+    def listed(self, word: str, name: str | None, frame: Frame | None = None) -> list[Listed]:
+        """Return the answer to `who`, `next` or `why`, line by line.
+
+        `why` tells only what happened, and by which step: it compares nothing with what would be
+        right.
+
+        Raises:
+            CannotTell: Nothing has this name, or the task allows no hints.
+        """
+        if word == "why":
+            effect, links = self.causes(name, frame)
+            lines = [Listed(effect)]
+            goes: list[Instant] = []
+            for text, _, place in links:
+                if place is not None:
+                    goes.append(place)
+                    lines.append(Listed(f"{len(goes)} {text}", len(goes)))
+                else:
+                    lines.append(Listed(f"- {text}"))
+        else:
+            lines, goes = answers.rows(self.changed(word, name or "", frame))
+        stops = [Stop(instant, Why.STEP) for instant in goes]
+        self.goals.show(self._debugger.run, stops)
+        return lines
 
     def changed(
         self, word: str, name: str, frame: Frame | None = None
@@ -182,28 +202,6 @@ class Console:
         self.goals.show(debugger.run, [row.go for row in answer.rows])
         return answer
 
-    def _show(self, goes: Sequence[Instant]) -> None:
-        """Let numbers lead to instants, from 1 on."""
-        self.goals.show(self._debugger.run, [Stop(instant, Why.STEP) for instant in goes])
-
-    def why(self, name: str | None = None, frame: Frame | None = None) -> str:
-        """Return why the arm does what it does, or a name is what it is, with numbers to go to.
-
-        Only what happened, and by which step: it compares nothing with what would be right.
-        """
-        try:
-            effect, links = self.causes(name, frame)
-        except CannotTell as problem:
-            return str(problem)
-        lines = [effect]
-        goes: list[Instant] = []
-        for text, _, place in links:
-            if place is not None:
-                goes.append(place)
-            lines.append(f"{len(goes) if place is not None else '-'} {text}")
-        self._show(goes)
-        return "\n".join(lines)
-
     def causes(
         self, name: str | None = None, frame: Frame | None = None
     ) -> tuple[str, list[tuple[str, Link, Instant | None]]]:
@@ -229,7 +227,8 @@ class Console:
                     f"{line}\n" for line in (*(r.text for r in answer.rows), *answer.says)
                 )
             process = frame is not None and frame.process
-            return "".join(f"{line}\n" for line in self.marking.told(word, rest, process=process))
+            told = self.marking.told(word, rest, process=process)
+            return "".join(f"{line.text}\n" for line in told)
         except CannotTell as problem:
             return f"{problem}\n"
 

@@ -7,8 +7,14 @@ from pathlib import Path
 class Files:
     """Some files as they are when this is made."""
 
-    def __init__(self, paths: Iterable[Path]) -> None:
-        """Take the files; one that is not there is watched as well."""
+    def __init__(self, paths: Iterable[Path], texts: Iterable[Path] = ()) -> None:
+        """Take the files; one that is not there is watched as well.
+
+        Args:
+            paths: The files.
+            texts: Those of them with programs, with which a run goes on when they are changed.
+        """
+        self._texts = frozenset(texts)
         self._first = {path: _stamp(path) for path in paths}
         self._told = dict(self._first)
 
@@ -25,14 +31,14 @@ class Files:
     def news(self) -> str:
         """Return one sentence about what has changed since this was last asked; else nothing."""
         now = {path: _stamp(path) for path in self._told}
-        names = [path.name for path, known in self._told.items() if now[path] != known]
+        others = [path for path, known in self._told.items() if now[path] != known]
         self._told = now
-        if not names or not self.stale:
+        if not others or not self.stale:
             return ""
-        has = "has" if len(names) == 1 else "have"
-        listed = ", ".join(f"`{name}`" for name in names)
-        ways = "`reload` goes on with what it is, restart begins with it"
-        return f"{listed} {has} changed on disk; this is what it was: {ways}"
+        has = "has" if len(others) == 1 else "have"
+        listed = ", ".join(f"`{path.name}`" for path in others)
+        reloads = "type `reload` to go on with it, " if self._texts.intersection(others) else ""
+        return f"{listed} {has} changed on disk: {reloads}`restart` begins again with it"
 
 
 def _stamp(path: Path) -> tuple[int, int] | None:

@@ -59,7 +59,8 @@ def opened(asked: Asked, near_miss_m: float | None = None) -> Opened:
     path = asked.program.resolve()
     where = asked.where
     setting = setting_for(path, where) or with_controller(robot_alone(), where.controller)
-    files = Files(_read(asked, path, setting))
+    texts = [file.resolve() for file in (path, *asked.others)]
+    files = Files(_read(asked, path, setting), texts)
     others = tuple(ProgramFile(read_bytes(p), str(p.resolve())) for p in asked.others)
     program = ProgramFile(read_bytes(path), str(path))
     reading = Reading(asked.dialect, others=others)

@@ -8,7 +8,8 @@ from vrts.base.units import deg, mm
 from vrts.debug.frames import Frame
 from vrts.debug.history.subjects import tracks
 from vrts.debug.history.track import Track
-from vrts.debug.passages import Instant, at_time, instant_of
+from vrts.debug.marks.goals import Listed
+from vrts.debug.passages import Instant, at_time, instant_of, statements_at
 from vrts.engine.memory.cells import Undefined
 from vrts.engine.memory.events import Cause
 from vrts.engine.run import Run
@@ -122,12 +123,11 @@ def place_of(run: Run, link: Link) -> Instant | None:
     here = at_time(run, time_s)
     if link.span is None:
         return here
-    history, span = run.history, link.span
     steps = Steps(run)
-    first = history.finished_at(max(time_s - history.tick_s / 2, 0.0))
-    for number in range(here.finished, first, -1):
+    first, last = statements_at(run, time_s)
+    for number in range(last, first, -1):
         step = steps.step(number)
-        if step is not None and step.cause.span == span:
+        if step is not None and step.cause.span == link.span:
             return instant_of(run, number - 1)
     return here
 
@@ -167,14 +167,14 @@ def _shown(content: object, track: Track) -> str:
             return str(content)
 
 
-def rows(found: Sequence[Found | str]) -> tuple[list[str], list[Instant]]:
+def rows(found: Sequence[Found | str]) -> tuple[list[Listed], list[Instant]]:
     """Return answers as numbered lines, and where each number leads."""
-    lines: list[str] = []
+    lines: list[Listed] = []
     goes: list[Instant] = []
     for each in found:
         if isinstance(each, str):
-            lines.append(each)
+            lines.append(Listed(each))
             continue
         goes.append(each.go)
-        lines.append(f"{len(goes)}  {each.name} {each.text}")
+        lines.append(Listed(f"{len(goes)}  {each.name} {each.text}", len(goes)))
     return lines, goes

@@ -2,7 +2,7 @@
 
 from vrts.debug.debugger import Debugger
 from vrts.debug.evaluating import CannotTell
-from vrts.debug.marks.goals import Goals
+from vrts.debug.marks.goals import Goals, Listed
 from vrts.debug.marks.links import Opener, links
 from vrts.debug.marks.marks import Mark, is_there
 from vrts.debug.stops.stop import Stop, Why
@@ -20,7 +20,7 @@ class Marking:
         self._debugger, self._goals = debugger, goals
         self.opener: Opener | None = None  # how the run was opened; None: nobody knows
 
-    def told(self, word: str, rest: str, *, process: bool = False) -> list[str]:
+    def told(self, word: str, rest: str, *, process: bool = False) -> list[Listed]:
         """Carry out one of `WORDS`; return what to say.
 
         Args:
@@ -34,12 +34,12 @@ class Marking:
         try:
             match word:
                 case "mark":
-                    return [self._mark(rest, process=process)]
+                    return [Listed(self._mark(rest, process=process))]
                 case "unmark":
                     return self._unmark(rest)
                 case "link":
                     _nothing(rest, word)
-                    return self.links(process=process)
+                    return [Listed(line) for line in self.links(process=process)]
                 case _:
                     return self._marks(rest)
         except OSError as problem:
@@ -68,29 +68,30 @@ class Marking:
         moved = "" if before is None else f"; it was at {before.instant.time_s:.3f} s"
         return f"{_line(mark)}{moved}"
 
-    def _unmark(self, name: str) -> list[str]:
+    def _unmark(self, name: str) -> list[Listed]:
         if not name:
             raise CannotTell("`unmark` takes the name of a mark, or `all`")
         self._goals.marks.remove(name)
         return self._marks("")
 
-    def _marks(self, rest: str) -> list[str]:
+    def _marks(self, rest: str) -> list[Listed]:
         marks, run = self._goals.marks, self._debugger.run
         if rest.lower() == KEEP:
-            return [f"kept in {marks.keep()}, which is read when this is debugged again"]
+            kept = f"kept in {marks.keep()}, which is read when this is debugged again"
+            return [Listed(kept)]
         _nothing(rest, "marks")
-        lines: list[str] = []
+        lines: list[Listed] = []
         goes: list[Stop] = []
         for mark in marks.all():
             if is_there(run, mark):
                 goes.append(Stop(mark.instant, Why.GO, f"mark {mark.name}", process=mark.process))
-                lines.append(f"{len(goes):>4} {_line(mark)}")
+                lines.append(Listed(f"{len(goes):>4} {_line(mark)}", len(goes)))
             else:
-                lines.append(f"   - {_line(mark)}, of another future")
+                lines.append(Listed(f"   - {_line(mark)}, of another future"))
         self._goals.show(run, goes)
         if marks.problem:
-            lines.append(f"the file of marks is not read: {marks.problem}")
-        return lines or ["no marks"]
+            lines.append(Listed(f"the file of marks is not read: {marks.problem}"))
+        return lines or [Listed("no marks")]
 
 
 def _line(mark: Mark) -> str:

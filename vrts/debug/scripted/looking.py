@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 
+from vrts.debug.evaluating import CannotTell
 from vrts.debug.frames import frames
 from vrts.debug.scripted.session import Deed, Done, Refusal, Session, nothing
 from vrts.debug.scripted.table import help_lines
@@ -44,9 +45,11 @@ def _state(session: Session, rest: str, done: Done) -> None:
 
 
 def _why(session: Session, rest: str, done: Done) -> None:
-    lines = session.console.why(rest or None, session.frame()).split("\n")
-    done.said += lines
-    done.reasons = [line.strip() for line in lines]
+    try:
+        done.tell(session.console.listed("why", rest or None, session.frame()))
+    except CannotTell as problem:
+        done.said = str(problem).split("\n")
+    done.reasons = [line.strip() for line in done.said]
 
 
 def _who(session: Session, rest: str, done: Done) -> None:
@@ -61,8 +64,7 @@ def _next(session: Session, rest: str, done: Done) -> None:
 
 
 def _asked(session: Session, word: str, rest: str, done: Done) -> None:
-    session.console.changed(word, rest, session.frame())  # what is refused has no answer
-    done.said += session.console.ask(word, rest, session.frame()).split("\n")
+    done.tell(session.console.listed(word, rest, session.frame()))
 
 
 def _go(session: Session, rest: str, done: Done) -> None:

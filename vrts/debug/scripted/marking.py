@@ -8,7 +8,7 @@ def _told(word: str) -> Deed:
     def deed(session: Session, rest: str, done: Done) -> None:
         if word == "marks" and rest.lower() == KEEP and not session.writes:
             raise Refusal("a script changes no file")
-        done.said += session.console.marking.told(word, rest, process=session.process)
+        done.tell(session.console.marking.told(word, rest, process=session.process))
 
     return deed
 

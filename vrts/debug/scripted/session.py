@@ -1,7 +1,7 @@
 """What the commands share: the debugger, whose steps are gone, and what each of them did."""
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NamedTuple, TypeAlias, TypeVar
@@ -12,6 +12,7 @@ from vrts.debug.debugger import Debugger
 from vrts.debug.evaluating import CannotTell
 from vrts.debug.events.asking import Answer
 from vrts.debug.frames import Frame, frames
+from vrts.debug.marks.goals import Listed
 from vrts.debug.scripted.places import Place, source_of
 from vrts.ir.values import Value
 from vrts.lang.typed.commands import read_command
@@ -51,6 +52,12 @@ class Done:
     reasons: list[str] = field(default_factory=list[str])
     table: Answer | None = None  # rows of events or calls
     log: list[Row] = field(default_factory=list[Row])
+    goes: list[int | None] = field(default_factory=list[int | None])  # beside `said`: to `go` to
+
+    def tell(self, lines: Sequence[Listed]) -> None:
+        """Say lines, some of which one can go to."""
+        self.said = [line.text for line in lines]
+        self.goes = [line.go for line in lines]
 
 
 @dataclass(slots=True)

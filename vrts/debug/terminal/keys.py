@@ -11,7 +11,7 @@ from vrts.debug.scripted.commander import carry_out
 from vrts.debug.scripted.names import bases, wrong_condition
 from vrts.debug.scripted.places import current, source_of
 from vrts.debug.scripted.recording import Recorder
-from vrts.debug.scripted.session import Session
+from vrts.debug.scripted.session import Done, Session
 from vrts.debug.scripted.table import COMMANDS, help_lines
 from vrts.debug.terminal.key_table import KEYS, help_of_keys
 from vrts.debug.terminal.line import MOST_KEPT, Line
@@ -76,8 +76,8 @@ class Keyboard:
                 view.scroll(_SCROLL[key])
                 return False
             page, view.page = view.page, None
-            if key == "enter" and page.rows:
-                self._do(f"go {page.chosen + 1}")
+            if key == "enter" and page.choices:
+                self._do(f"go {page.goes[page.chosen]}")
                 return False
             if key in _CLOSE:
                 return False
@@ -85,6 +85,7 @@ class Keyboard:
             return True
         if key in _SCROLL and key != " ":
             self._choose(_SCROLL[key])
+            self.look()
             return False
         deed = self._commands.get(key)
         if deed is not None:
@@ -92,7 +93,7 @@ class Keyboard:
             if key not in _OF_LINES:
                 view.cursor = None
             deed()
-            self._tell()
+            self.look()
         return False
 
     def paste(self, text: str) -> None:
@@ -104,6 +105,18 @@ class Keyboard:
         """Go to a time [s] that was pointed at."""
         if self._view.question is None and self._view.page is None:
             self._do(f"at {time_s!r}")
+
+    def look(self) -> bool:
+        """Show what has changed on disk, and return whether that is new.
+
+        It waits while a line is typed or a page is read; nothing is read anew by itself.
+        """
+        if self._view.question is not None or self._view.page is not None:
+            return False
+        news = self._news()
+        if news:
+            self._say("", [*self._view.said, news])
+        return bool(news)
 
     def interrupted(self) -> bool:
         """Give up what is under way, or the line that is typed; that is never the end."""
@@ -131,6 +144,8 @@ class Keyboard:
             self._list(line, done.table)
             return
         self._say(line, [*rows, *done.said, *([lost] if lost else [])])
+        if any(done.goes):
+            self._choices(line, done)
         if done.moved and done.ok:
             self._view.cursor = None
 
@@ -138,8 +153,16 @@ class Keyboard:
         """Show rows to choose from, the last one up to here chosen."""
         here = [k for k, row in enumerate(table.rows) if row.go.instant <= self._debugger.at]
         lines = [*(row.text for row in table.rows), *table.says]
-        self._view.page = Page(line, [visible(each) for each in lines], 0, len(table.rows))
-        self._view.page.chosen = here[-1] if here else 0
+        goes = [k if k <= len(table.rows) else None for k in range(1, len(lines) + 1)]
+        page = Page(line, [visible(each) for each in lines], goes=goes, table=True)
+        page.chosen = here[-1] if here else 0
+        self._view.page = page
+
+    def _choices(self, line: str, done: Done) -> None:
+        """Show an answer whose lines lead somewhere, the first of them chosen."""
+        page = Page(line, [visible(each) for each in done.said], goes=done.goes)
+        page.chosen = page.choices[0]
+        self._view.page = page
 
     def _choose(self, lines: int) -> None:
         source = source_of(self._debugger, process=self._session.process)
@@ -277,16 +300,10 @@ class Keyboard:
             del before[:-MOST_KEPT]
         self._view.said = []
         question.answer(text)
-        self._tell()
+        self.look()
 
     def _say(self, title: str, lines: Iterable[str]) -> None:
         self._view.say(title, [visible(line) for line in lines if line])
-
-    def _tell(self) -> None:
-        """Show what has changed on disk."""
-        news = self._news()
-        if news:
-            self._say("", [*self._view.said, news])
 
 
 def _no_hits(session: Session, text: str) -> str:

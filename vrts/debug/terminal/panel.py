@@ -148,12 +148,13 @@ def _bottom(question: Question | None, columns: int) -> Row:
 
 def _page(view: View, page: Page) -> list[Row]:
     room = view.page_rows
-    if page.rows:
-        lines = [cut(line, view.width - 1) for line in page.lines]
-        last = page.chosen if page.chosen + 1 < page.rows else len(lines) - 1
-        page.top = max(min(page.top, page.chosen), last - room + 1)
-    else:
-        lines = wrapped(page.lines, view.width)
+    lines, choices = page.drawn(view.width), page.choices
+    if choices:
+        first = next(row for row, (k, _) in enumerate(lines) if k == page.chosen)
+        last = max(row for row, (k, _) in enumerate(lines) if k == page.chosen)
+        first = 0 if page.chosen == choices[0] else first
+        last = len(lines) - 1 if page.chosen == choices[-1] else last
+        page.top = min(max(page.top, last - room + 1), max(first, last - room + 1))
     page.top = max(0, min(page.top, len(lines) - room))
     shown = lines[page.top : page.top + room]
     part = f"{page.top + 1} to {page.top + len(shown)} of {len(lines)}"
@@ -161,9 +162,9 @@ def _page(view: View, page: Page) -> list[Row]:
     title = cut(f" {visible(page.title)}", view.width - len(part) - 2)
     gap = " " * (view.width - width(title) - len(part) - 1)
     found: list[Row] = [[("title", f"{title}{gap}{part} ")]]
-    for k, line in enumerate(shown, start=page.top):
-        style = "chosen" if page.rows and k == page.chosen else ""
+    for k, line in shown:
+        style = "chosen" if choices and k == page.chosen else ""
         found.append(fitted([(style, line)], view.width))
     found += [[]] * (room - len(shown))
-    words = LIST_HELP if page.rows else PAGE_HELP
+    words = LIST_HELP if choices else PAGE_HELP
     return [*found, fitted([("help", words)], view.width)]

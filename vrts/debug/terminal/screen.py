@@ -1,5 +1,6 @@
 """Debugging at a terminal: the whole screen, and the same keys forward and backward."""
 
+import asyncio
 from collections.abc import Callable
 from contextlib import suppress
 
@@ -19,6 +20,7 @@ from vrts.debug.terminal.keys import Keyboard, Outside
 from vrts.debug.terminal.panel import panel, time_at, time_bar
 from vrts.debug.terminal.view import View
 
+LOOK = 1.0  # [s] between two looks at the files while no key is pressed
 _STYLE = Style.from_dict(
     {
         "title": "reverse bold",
@@ -87,8 +89,18 @@ def debug(session: Session, outside: Outside, recorder: Recorder) -> None:
         mouse_support=True,
     )
     app.ttimeoutlen = 0.05
+
+    async def look() -> None:
+        while True:
+            await asyncio.sleep(LOOK)
+            if keyboard.look():
+                app.invalidate()
+
+    def begin() -> None:
+        app.create_background_task(look())
+
     with suppress(EOFError):  # the terminal has gone
-        app.run()
+        app.run(pre_run=begin)
 
 
 def _rows(session: Session, view: View, keyboard: Keyboard, columns: int, rows: int) -> list[Row]:

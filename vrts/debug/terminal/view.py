@@ -1,9 +1,10 @@
 """What the user of the terminal looks at: a line chosen, what was said, a page, a question."""
 
-from collections.abc import Callable
+from bisect import bisect_left
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
-from vrts.debug.terminal.fitting import wrapped
+from vrts.debug.terminal.fitting import cut, wrapped
 from vrts.debug.terminal.line import Line
 
 TERMINAL_ROWS = 4  # of what is said, or of the program's terminal
@@ -16,8 +17,21 @@ class Page:
     title: str
     lines: list[str]
     top: int = 0  # row that stands first, once wrapped
-    rows: int = 0  # the first so many lines are a list to choose from; each is one row then
-    chosen: int = 0  # of them, from 0
+    goes: Sequence[int | None] = ()  # beside the lines: the number of what it leads to
+    chosen: int = 0  # line, from 0
+    table: bool = False  # each line is one row, cut where it is longer
+
+    @property
+    def choices(self) -> list[int]:
+        """Return the lines that lead somewhere."""
+        return [k for k, go in enumerate(self.goes) if go is not None]
+
+    def drawn(self, width: int) -> list[tuple[int, str]]:
+        """Return the rows of a screen of some width, each with its line."""
+        pieces = (
+            [cut(line, width - 1)] if self.table else wrapped([line], width) for line in self.lines
+        )
+        return [(k, row) for k, rows in enumerate(pieces) for row in rows]
 
 
 @dataclass(slots=True)
@@ -54,10 +68,12 @@ class View:
 
     def scroll(self, rows: int) -> None:
         """Show later rows of the page, or earlier ones; in a list choose them."""
-        if self.page is not None and self.page.rows:
-            self.page.chosen = max(0, min(self.page.chosen + rows, self.page.rows - 1))
+        choices = self.page.choices if self.page is not None else []
+        if self.page is not None and choices:
+            k = bisect_left(choices, self.page.chosen)
+            self.page.chosen = choices[max(0, min(k + rows, len(choices) - 1))]
         elif self.page is not None:
-            all_rows = len(wrapped(self.page.lines, self.width))
+            all_rows = len(self.page.drawn(self.width))
             self.page.top = max(0, min(self.page.top + rows, all_rows - self.page_rows))
 
     @property

@@ -180,6 +180,7 @@ def test_at_80_columns_every_screen_is_readable_at_a_contact(tmp_path: Path) -> 
     assert "base2_put    1100 230 -125 90 90 0" in shown
     there.press("y")
     assert "this speed is in force: 60 %" in there.screen()
+    there.press("escape")
     for columns in (100, 160):
         assert "hand      60.0 mm holds can1" in there.screen(columns, 30)
 
@@ -237,7 +238,7 @@ def test_enter_on_an_event_of_the_list_goes_there(tmp_path: Path) -> None:
     assert rows[row + 2].go.instant <= s.session.debugger.at < rows[row + 3].go.instant
     for _ in range(3):
         s.press("page down")
-    assert page.chosen == page.rows - 1
+    assert page.chosen == len(page.choices) - 1
     assert page.lines[page.chosen] in s.screen()
     s.press("home", "e") if s.view.page is None else s.press("escape", "e")
     page = s.view.page
