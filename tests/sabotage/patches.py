@@ -36,6 +36,13 @@ __all__ = ["PATCHES", "Patch"]
 
 PATCHES: tuple[Patch, ...] = (
     Patch(
+        "a condition reads timers as they were before the last step that set one",
+        "vrts/debug/conditions/timers.py",
+        "        return self._zeros[k - 1] if k else {}",
+        "        return self._zeros[k - 2] if k > 1 else {}",
+        ("tests/unit/debug/conditions",),
+    ),
+    Patch(
         "Enter on a line of an answer leads to what another line tells",
         "vrts/debug/terminal/keys.py",
         'self._do(f"go {page.goes[page.chosen]}")',

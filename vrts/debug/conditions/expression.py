@@ -34,15 +34,24 @@ from vrts.lang.names import key
 _WORD = re.compile(r"[$#]?[A-Za-z][\w.]*", re.ASCII)
 _WHOLE = re.compile(r"(?P<name>[$#]?[a-z][\w.]*)(\[(?P<inside>\d{1,5}(,\d{1,5})*)\])?", re.ASCII)
 _KEPT = 200_000  # answers of forks that are remembered, of one expression
-_ARM = frozenset({Function.HERE})  # it moves between two ticks, and commands come at ticks
+# what changes between two ticks, at which commands come
+_MOVES = frozenset(
+    {
+        *(Function.HERE, Function.HERE_JOINTS, Function.HAND, Function.TIMER),
+        *(Function.TIME, Function.TIME_TEXT, Function.DATE_TEXT),
+    }
+)
 _RECORDED = frozenset(PURE) | {
+    *_MOVES,
+    Function.SWITCH,
+    Function.PENDANT,
+    Function.ERROR_TEXT,
     Function.SIG,
     Function.BITS,
     Function.DEFINED,
     Function.ENCODE,
     Function.UNPACK,
     Function.LAST,
-    Function.HERE,
     Function.BASE,
     Function.TOOL,
 }
@@ -76,6 +85,11 @@ class Expression:
         self._whole = _WHOLE.fullmatch(self._text.replace(" ", "").lower())
         self._compiled: dict[tuple[_Kind, ...], _Compiled] = {}
         self._forked: dict[tuple[Instant, int], Value | CannotTell] = {}
+
+    @property
+    def forks(self) -> int:
+        """How many answers of the controller itself are remembered."""
+        return len(self._forked)
 
     def value(self, at: Instant, activation: Activation | None, hear: Hear) -> Value:
         """Return the value at an instant, for a program that is being executed then.
@@ -164,7 +178,8 @@ class Expression:
         (program,) = module.programs.values()
         step, *others = program.instructions
         asked = set(_functions(step))
-        if len(others) != 1 or not isinstance(step, Assign) or not asked <= _RECORDED:
+        unknown = Function.TIMER in asked and self._past.timers is None
+        if len(others) != 1 or not isinstance(step, Assign) or unknown or not asked <= _RECORDED:
             return _Compiled("", None, Type.REAL, False, Memory([]), (), ())
         layout = Layout()
         made = compiler(layout).value(step.value)
@@ -187,7 +202,7 @@ class Expression:
                     cells.append((k, item))
             bound.append(item)
         wanted = step.place.variable.type
-        return _Compiled("", made, wanted, bool(asked & _ARM), Memory(bound), cells, arrays)
+        return _Compiled("", made, wanted, bool(asked & _MOVES), Memory(bound), cells, arrays)
 
     def _asked(self, at: Instant, activation: Activation | None, hear: Hear) -> Value:
         """Ask the controller itself; what it has said is remembered."""

@@ -10,13 +10,14 @@ from functools import cached_property
 
 from vrts.base.pose import IDENTITY, Pose
 from vrts.base.source import Span
+from vrts.debug.conditions.timers import Timers, timers_of
 from vrts.engine.memory.cells import Bound, Cell, Memory
 from vrts.engine.memory.events import SignalChanged, SwitchChanged
 from vrts.engine.memory.records import INSTANT
 from vrts.engine.programs.signals import known
 from vrts.engine.run import Run
 from vrts.ir.system import SWITCHES
-from vrts.robots.model import Arm, Configuration
+from vrts.robots.model import Arm, Configuration, Gripper
 
 Track = tuple[list[float], list[int], list[bool]]  # times [s], statements finished, on
 
@@ -62,6 +63,12 @@ class Past:
         self.signals = _Signals(self)
         self.system = _System(self)
         self.planner = _Arm(self)
+        self.hand = _Hand(self)
+
+    @cached_property
+    def timers(self) -> Timers | None:
+        """What timers were set to; None where that was worked out, and not recorded."""
+        return timers_of(self._run)
 
     @property
     def run(self) -> Run:
@@ -100,6 +107,14 @@ class _System:
     def __init__(self, past: Past) -> None:
         self._past = past
 
+    clock_reads = 0  # nobody counts how often somebody looks
+
+    @property
+    def timers(self) -> Mapping[int, float]:
+        """The times at which timers stood at zero [s]."""
+        known = self._past.timers
+        return {} if known is None else known.at(self._past.finished)
+
     def is_on(self, switch: str) -> bool:
         """Return whether a switch is on."""
         state = self._past.state_of(switch)
@@ -135,6 +150,22 @@ class _Arm:
     def configuration_at(self, time_s: float) -> Configuration:
         """Return the positions of the joints [rad]."""
         return self._past.run.timeline.configuration(time_s)
+
+
+class _Hand:
+    """The hand."""
+
+    def __init__(self, past: Past) -> None:
+        self._past = past
+
+    @property
+    def gripper(self) -> Gripper:
+        """What it can."""
+        return self._past.run.scene.robot.gripper
+
+    def opening(self, time_s: float) -> float:
+        """Return the opening [m]."""
+        return self._past.run.timeline.opening(time_s)
 
 
 class Elements(dict[tuple[int, ...], Cell]):

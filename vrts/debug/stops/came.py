@@ -62,18 +62,18 @@ class Place:
             return self._chosen(counted[k - 1]) if k else None
         return self._first(range(end - 1, -1, -1), look)
 
-    def between(self, begin: Instant, end: Instant, look: "Look") -> Iterator[Chosen]:
+    def passed(self, begin: Instant, end: Instant, look: "Look") -> Iterator[Came]:
         """Return those after an instant, up to another one."""
         first = bisect_right(self.came, begin, key=lambda came: came.instant)
         last = bisect_right(self.came, end, key=lambda came: came.instant)
         if self._hits:
             counted = self._all(look)
             kept = counted[bisect_left(counted, first) : bisect_left(counted, last)]
-            yield from (self._chosen(k) for k in kept)
-            return
-        for k in range(first, last):
-            if self._holds(k, look):
-                yield self._chosen(k)
+            yield from (self.came[k] for k in kept)
+        elif self._condition is None:
+            yield from self.came[first:last]
+        else:
+            yield from (self.came[k] for k in range(first, last) if self._holds(k, look))
 
     def _first(self, order: range, look: "Look") -> Chosen | None:
         found = next((k for k in order if self._holds(k, look)), None)

@@ -79,13 +79,12 @@ class Stops:
         found: list[Logged] = []
         for point in points:
             wished, message = self._of_line(point), Message(point.log, self._expressions)
-            for chosen in () if wished is None else wished.place.between(begin, end, look):
-                assert wished is not None
-                came = wished.place.came[chosen.number]
-                activation = look.activation(came)
-                text = message.filled(came.instant, activation, look.heard)
+            if wished is None:
+                continue
+            for came in wished.place.passed(begin, end, look):
+                text = message.filled(came.instant, look.activation(came), look.heard)
                 found.append(Logged(came.instant, text, point.id))
-        return sorted(found, key=lambda logged: logged.instant)
+        return sorted(found, key=_when) if len(points) > 1 else found
 
     def _found(self, wishes: Wishes, choose: Callable[[Place], Chosen | None]) -> list[Stop]:
         lines = (self._of_line(point) for point in wishes.lines if not point.log)
@@ -125,7 +124,7 @@ class Stops:
         return Place(came, condition, point.hits)
 
 
-def _when(stop: Stop) -> Instant:
+def _when(stop: Stop | Logged) -> Instant:
     return stop.instant
 
 

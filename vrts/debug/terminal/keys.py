@@ -109,7 +109,7 @@ class Keyboard:
     def look(self) -> bool:
         """Show what has changed on disk, and return whether that is new.
 
-        It waits while a line is typed or a page is read; nothing is read anew by itself.
+        It waits while a line is typed or a page is read; nothing is read again by itself.
         """
         if self._view.question is not None or self._view.page is not None:
             return False

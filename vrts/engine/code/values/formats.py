@@ -78,6 +78,8 @@ def free(value: float) -> str:
     if value == 0.0:
         return "0"
     magnitude = abs(value)
+    if magnitude <= FREE_HIGHEST and value == int(value):
+        return str(int(value))
     if FREE_LOWEST <= round(magnitude, 9) <= FREE_HIGHEST:
         whole = math.floor(math.log10(magnitude)) + 1
         decimals = min(8, max(0, FREE_DIGITS - whole))
