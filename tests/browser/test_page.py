@@ -12,6 +12,7 @@ from tests.browser.support import PIXEL, Opened, clock, opened, until
 from tests.support_runs import CONTACT_S, END_S, GRASP_S, RUN_S, assessment, with_segments
 from tests.support_segments import blend, sampled, segment, slowed
 from vrts.base.pose import Pose, distance
+from vrts.cli.shared.run_page import anchor
 from vrts.engine.memory.records import Segment
 from vrts.report.page.page import page
 from vrts.robots.kinematics.kinematics import forward, link_poses
@@ -56,6 +57,17 @@ def test_the_first_screen_stands_in_order(report: Opened) -> None:
 def test_it_opens_at_the_moment_of_the_cause(report: Opened) -> None:
     assert report.page.is_hidden("#no-replay")
     assert report.first_clock == pytest.approx(CONTACT_S[0], abs=1e-3)
+
+
+def test_it_opens_at_the_time_of_its_address_to_every_digit(
+    report: Opened, browser: Browser
+) -> None:
+    asked = 0.6 * RUN_S + 1.2345e-5
+    view = Opened(browser.new_page())
+    view.page.goto(report.page.url.partition("#")[0] + anchor(asked))
+    until(view, "window.vrts !== undefined")
+    assert view.page.evaluate("vrts.player.t") == asked
+    view.page.close()
 
 
 def test_it_can_be_scrubbed_both_ways(report: Opened) -> None:

@@ -78,5 +78,9 @@ def opens_in_window(path: Path, time_s: float) -> bool:
 
 
 def _address(path: Path, time_s: float | None) -> str:
-    at = "" if time_s is None else f"#t={time_s:.3f}"
-    return path.resolve().as_uri() + at
+    return path.resolve().as_uri() + ("" if time_s is None else anchor(time_s))
+
+
+def anchor(time_s: float) -> str:
+    """Return what stands behind the address of a page to open it at a time [s], to every digit."""
+    return f"#t={time_s!r}"
