@@ -15,8 +15,9 @@ from vrts.debug.files import Files
 from vrts.debug.frames import Frame, frames
 from vrts.debug.giving import Target, command_for, given, target_of
 from vrts.debug.history import answers
+from vrts.debug.history.listed import Listed
 from vrts.debug.marks.deeds import WORDS, Marking
-from vrts.debug.marks.goals import Goals, Listed
+from vrts.debug.marks.goals import Goals
 from vrts.debug.passages import Instant
 from vrts.engine.memory.cells import Bound
 from vrts.ir.commands import Answer, Command, SetLocal

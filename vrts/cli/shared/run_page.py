@@ -83,4 +83,6 @@ def _address(path: Path, time_s: float | None) -> str:
 
 def anchor(time_s: float) -> str:
     """Return what stands behind the address of a page to open it at a time [s], to every digit."""
-    return f"#t={time_s!r}"
+    from vrts.debug.marks.links import time_text
+
+    return f"#t={time_text(time_s)}"

@@ -6,9 +6,9 @@ from typing import NamedTuple
 from vrts.base.pose import Pose
 from vrts.base.units import deg, mm
 from vrts.debug.frames import Frame
+from vrts.debug.history.listed import Listed
 from vrts.debug.history.subjects import tracks
 from vrts.debug.history.track import Track
-from vrts.debug.marks.goals import Listed
 from vrts.debug.passages import Instant, at_time, instant_of, statements_at
 from vrts.engine.memory.cells import Undefined
 from vrts.engine.memory.events import Cause

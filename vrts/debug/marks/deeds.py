@@ -2,7 +2,8 @@
 
 from vrts.debug.debugger import Debugger
 from vrts.debug.evaluating import CannotTell
-from vrts.debug.marks.goals import Goals, Listed
+from vrts.debug.history.listed import Listed
+from vrts.debug.marks.goals import Goals
 from vrts.debug.marks.links import Opener, links
 from vrts.debug.marks.marks import Mark, is_there
 from vrts.debug.stops.stop import Stop, Why

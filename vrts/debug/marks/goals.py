@@ -1,19 +1,11 @@
 """Where `go` leads: a numbered row of what was shown last, or a mark."""
 
 from collections.abc import Sequence
-from typing import NamedTuple
 
 from vrts.debug.evaluating import CannotTell
 from vrts.debug.marks.marks import Marks, stop_at
 from vrts.debug.stops.stop import Stop
 from vrts.engine.run import Run
-
-
-class Listed(NamedTuple):
-    """A line of an answer, and the number by which one can `go` there; None: nowhere."""
-
-    text: str
-    go: int | None = None
 
 
 class Goals:

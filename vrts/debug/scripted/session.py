@@ -12,7 +12,7 @@ from vrts.debug.debugger import Debugger
 from vrts.debug.evaluating import CannotTell
 from vrts.debug.events.asking import Answer
 from vrts.debug.frames import Frame, frames
-from vrts.debug.marks.goals import Listed
+from vrts.debug.history.listed import Listed
 from vrts.debug.scripted.places import Place, source_of
 from vrts.ir.values import Value
 from vrts.lang.typed.commands import read_command
