@@ -7,6 +7,8 @@ when all pass. `python -m tests lint types` runs those stages only.
 --all      also what is thorough: long tests, laws with all their examples, live sessions that need
            a machine with nothing else to do, and the patches of `tests/sabotage`, for 25 minutes
 --rest     only what `--all` adds
+--minutes=N  with these: end after about so many. Thorough tests that would begin later are
+           skipped, the patches get what is left, and both say how many were not tried
 --changed  only what the changes since the last commit can affect, the nearest tests first
 --times    the CPU time of each stage and the 40 slowest tests; keeps the seconds of each file,
            from which the next runs know what to start first
@@ -21,7 +23,7 @@ import time
 from pathlib import Path
 from typing import NamedTuple
 
-from tests import changed, laws, times
+from tests import changed, laws, times, until
 from tests.places import ROOT
 from tests.says_all import SAYS_ALL
 
@@ -45,11 +47,14 @@ FIXED: dict[str, list[str]] = {  # what looks at the text only
 PYTEST = [PYTHON, "-m", "pytest"]
 TESTS = {"tests": [*PYTEST, "-n", WORKERS]}
 THOROUGH, PATCHES = "thorough", "sabotage"
+MINUTES = "--minutes="  # what says how long
+PATCHES_MIN = 25.0  # [min] that patches are tried for at most
+ENDING_MIN = 2.0  # [min] that what has begun may need to end
 REST: dict[str, list[str]] = {
+    "live": [*PYTEST, "-p", "no:xdist", "-m", "live"],  # before what takes all the time there is
     THOROUGH: [*PYTEST, "-n", WORKERS, "-m", "thorough and not live"],
-    "live": [*PYTEST, "-p", "no:xdist", "-m", "live"],
     PATCHES: [  # other stages see that without a patch all pass; a fast machine tries every one
-        *("nice", "-n", "5", PYTHON, "-m", "tests.sabotage", "--passed", "--minutes=25"),
+        *("nice", "-n", "10", PYTHON, "-m", "tests.sabotage", "--passed", MINUTES),
     ],
 }
 STAGES = FIXED | TESTS | REST
@@ -66,6 +71,10 @@ class Ended(NamedTuple):
 
 def main(words: list[str]) -> int:
     """Run the chosen stages, or the usual ones, and return the exit status."""
+    start = time.monotonic()
+    limits = [float(word.removeprefix(MINUTES)) for word in words if word.startswith(MINUTES)]
+    end = start + 60.0 * limits[-1] if limits else None
+    words = [word for word in words if not word.startswith(MINUTES)]
     options = {word for word in words if word.startswith("--")}
     names = [word for word in words if not word.startswith("--")]
     unknown = [
@@ -75,7 +84,6 @@ def main(words: list[str]) -> int:
     if unknown:
         print(f"no such stage: {', '.join(sorted(unknown))}; stages: {', '.join(STAGES)}")
         return 2
-    start = time.perf_counter()
     with tempfile.TemporaryDirectory() as folder:
         measured = Path(folder) if "--times" in options else None
         if "--changed" in options:
@@ -86,28 +94,34 @@ def main(words: list[str]) -> int:
             chosen = REST
         else:
             chosen = FIXED | TESTS | (REST if "--all" in options else {})
-        ended = run(chosen, measured)
+        ended = run(chosen, measured, end)
         if measured is not None:
             report(ended, measured)
-    took = time.perf_counter() - start
+    took = time.monotonic() - start
     failed = [stage.name for stage in ended if stage.failed]
     print("== " + ", ".join(f"{stage.name} {stage.wall_s:.1f} s" for stage in ended))
     print(f"== failed: {', '.join(failed)}" if failed else f"== everything passed in {took:.0f} s")
     return 1 if failed else 0
 
 
-def run(chosen: dict[str, list[str]], measured: Path | None) -> list[Ended]:
-    """Run the stages of each phase beside each other, and one phase after another."""
+def run(chosen: dict[str, list[str]], measured: Path | None, end: float | None) -> list[Ended]:
+    """Run the stages of each phase beside each other, and one phase after another.
+
+    Args:
+        chosen: The command of each stage.
+        measured: The folder that takes what tests cost; None: nobody asks.
+        end: When all ought to be over, by the monotonic clock [s]; None: nobody waits.
+    """
     ended: list[Ended] = []
     for phase in phases(list(chosen)):
         looking = threading.Thread(
-            target=run_quietly, args=({name: chosen[name] for name in phase.beside}, ended)
+            target=run_quietly, args=({name: chosen[name] for name in phase.beside}, ended, end)
         )
         looking.start()
         if phase.name:
             print(f"== {phase.name}", flush=True)
-            command = chosen[phase.name]
-            ended.append(run_one(phase.name, command, environment(phase.name, measured)))
+            command = with_time(chosen[phase.name], end)
+            ended.append(run_one(phase.name, command, environment(phase.name, measured, end)))
         looking.join()
     return sorted(ended, key=lambda stage: list(chosen).index(stage.name))
 
@@ -135,18 +149,27 @@ def phases(names: list[str]) -> list[Phase]:
     return found or [Phase("", fixed)]
 
 
-def run_quietly(chosen: dict[str, list[str]], ended: list[Ended]) -> None:
+def run_quietly(chosen: dict[str, list[str]], ended: list[Ended], end: float | None) -> None:
     """Run stages one after another; print what they say when they are over.
 
     Patches give way to the tests that they run beside.
     """
     for name, command in chosen.items():
         with tempfile.TemporaryFile() as said:
-            stage = run_one(name, command, environment(name, None), said.fileno())
+            stage = run_one(
+                name, with_time(command, end), environment(name, None, end), said.fileno()
+            )
             said.seek(0)
             text = said.read().decode()
         ended.append(stage)
         print(f"\n== {name}: {'FAILED' if stage.failed else 'passed'}\n{text}", end="", flush=True)
+
+
+def with_time(command: list[str], end: float | None) -> list[str]:
+    """Return a command that is told how many minutes it has, where it asks for them."""
+    left = PATCHES_MIN if end is None else (end - time.monotonic()) / 60.0 - ENDING_MIN
+    told = f"{MINUTES}{max(0.0, min(PATCHES_MIN, left)):.1f}"
+    return [told if word == MINUTES else word for word in command]
 
 
 def run_one(
@@ -161,7 +184,7 @@ def run_one(
     return Ended(name, process.returncode != 0, wall, used.ru_utime + used.ru_stime)
 
 
-def environment(name: str, measured: Path | None) -> dict[str, str]:
+def environment(name: str, measured: Path | None, end: float | None) -> dict[str, str]:
     """Return the environment of a stage: what is compiled once is kept beside its text."""
     found = dict(
         os.environ, OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1", DENO_NO_UPDATE_CHECK="1"
@@ -170,6 +193,8 @@ def environment(name: str, measured: Path | None) -> dict[str, str]:
         found.pop(unwanted, None)
     if name == THOROUGH:
         found[laws.ALL_NAME] = "1"
+        if end is not None:
+            found[until.NAME] = str(end - 60.0 * ENDING_MIN)
     if measured is not None and name in ("tests", THOROUGH, "live"):
         found |= {times.FOLDER: str(measured), "PYTEST_PLUGINS": "tests.times"}
     return found

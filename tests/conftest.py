@@ -15,7 +15,7 @@ import pytest
 from hypothesis import settings
 from xdist.scheduler import LoadScopeScheduling
 
-from tests import constants, marked
+from tests import constants, marked, until
 from tests.laws import examples
 from tests.times import seconds
 
@@ -95,6 +95,11 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     marked.mark_laws(items)
     if config.args_source is pytest.Config.ArgsSource.ARGS:
         return
+    if until.limit() is not None:
+        order = until.shuffled(dict.fromkeys(group(item.nodeid) for item in items))
+        places = {name: place for place, name in enumerate(order)}
+        items.sort(key=lambda item: places[group(item.nodeid)])
+        return
     known = seconds()
     lasts: dict[str, float] = {}
     for item in items:
@@ -103,6 +108,19 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         if group(file) in lasts:
             lasts[group(file)] += wall
     items.sort(key=lambda item: -lasts[group(item.nodeid)])
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_runtest_setup() -> None:
+    """Begin no test when its time is over."""
+    until.skip_if_over()
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    """Say how many tests were not begun."""
+    number = until.left_out(terminalreporter.stats.get("skipped", []))
+    if number:
+        terminalreporter.write_line(f"{until.REASON}: {number} tests not tried")
 
 
 def pytest_sessionstart(session: pytest.Session) -> None:

@@ -14,14 +14,13 @@ A patch that opens a race is noticed only where the race is lost. So the named t
 where none of them failed, or their process died, and the verdict says `2nd try`: better to let
 such a test wait for an event.
 
-`--minutes=N` begins no patch later than that: a slow machine must not keep everybody waiting. The
-closing line says how many were not tried. Each commit begins with others.
+`--minutes=N` begins no patch later than that, and waits a minute more for those that have begun: a
+slow machine must not keep everybody waiting. The closing line says how many were not tried. Each
+commit begins with others.
 """
 
 import json
 import os
-import random
-import subprocess
 import sys
 import tempfile
 import time
@@ -36,6 +35,7 @@ from tests.sabotage import chosen
 from tests.sabotage.patches import PATCHES, Patch
 from tests.sabotage.trees import (
     ALL_SECONDS,
+    SECONDS,
     DiedError,
     Failure,
     NoAnswerError,
@@ -46,9 +46,11 @@ from tests.sabotage.trees import (
     first_failure,
     run_tests,
 )
+from tests.until import REASON, shuffled
 
 FIRST = Path(__file__).with_name("first.json")
 TWICE = " (2nd try)"
+GRACE_S = 60.0  # for what has begun when the time is over
 AT_ONCE = (os.cpu_count() or 1) + 2  # many tests wait
 
 
@@ -79,7 +81,10 @@ def main(words: list[str]) -> int:
     minutes = [float(word.partition("=")[2]) for word in words if word.startswith("--minutes=")]
     latest = time.monotonic() + 60.0 * minutes[0] if minutes else float("inf")
     if minutes:
-        random.Random(commit()).shuffle(wanted)
+        if minutes[0] <= 0.0:
+            print(f"sabotage: {REASON}: {len(wanted)} patches not tried")
+            return 0
+        wanted = shuffled(wanted)
     os.environ["OPENBLAS_NUM_THREADS"] = "1"  # before a child loads it
     with tempfile.TemporaryDirectory() as folder:
         untouched = copy_tree(ROOT, Path(folder) / "untouched")
@@ -110,7 +115,9 @@ def main(words: list[str]) -> int:
         f"in {cpu_s:.0f} s of CPU time"
     )
     if len(verdicts) < len(wanted):
-        print(f"{len(wanted) - len(verdicts)} patches were not tried: {minutes[0]:g} minutes over")
+        print(
+            f"{REASON}: {len(wanted) - len(verdicts)} patches not tried in {minutes[0]:g} minutes"
+        )
     if "--remember" in words:
         kept = {one.name: first[one.name] for one in PATCHES if one.name in first}
         kept |= {found.patch.name: found.test for found in verdicts if found.test is not None}
@@ -118,16 +125,10 @@ def main(words: list[str]) -> int:
     return 1 if missed else 0
 
 
-def commit() -> str:
-    """Return the name of the commit that is tried."""
-    words = ["git", "rev-parse", "HEAD"]
-    return subprocess.run(words, cwd=ROOT, capture_output=True, text=True, check=True).stdout
-
-
 def verdict(
     patch: Patch, free: SimpleQueue[Tree], first: str | None, latest: float
 ) -> Verdict | None:
-    """Return which test notices a patch, or what is wrong; None: it is too late to begin.
+    """Return which test notices a patch, or what is wrong; None: there was no time to tell.
 
     Args:
         patch: The patch.
@@ -143,12 +144,17 @@ def verdict(
     try:
         with tree.patched(patch) as folder:
             for targets, said in _tries(first, patch):
-                found = _first_failure(folder, targets, patch)
+                seconds = min(SECONDS, latest + GRACE_S - time.monotonic())
+                found = _first_failure(folder, targets, patch, max(1.0, seconds))
                 cpu_s += found.cpu_s
                 if found.test is not None:
                     return Verdict(patch, found.test, said, cpu_s)
                 note = found.note
-    except (PatchError, NoAnswerError) as problem:
+    except NoAnswerError as problem:
+        if time.monotonic() > latest:
+            return None
+        note = str(problem)
+    except PatchError as problem:
         note = str(problem)
     finally:
         free.put(tree)
@@ -169,10 +175,10 @@ def _may_notice(test: str, patch: Patch) -> bool:
     )
 
 
-def _first_failure(tree: Path, targets: Sequence[str], patch: Patch) -> Failure:
-    """Run tests of a patch until one fails."""
+def _first_failure(tree: Path, targets: Sequence[str], patch: Patch, seconds: float) -> Failure:
+    """Run tests of a patch until one fails, or the time is over."""
     try:
-        return first_failure(tree, targets, *selection(patch.thorough))
+        return first_failure(tree, targets, *selection(patch.thorough), seconds=seconds)
     except NoTestError:
         if targets is patch.tests:
             raise
