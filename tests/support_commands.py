@@ -19,6 +19,7 @@ import socket
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 from collections.abc import Mapping
 from functools import cache
@@ -45,6 +46,7 @@ LOADED = (
     "vrts.live.serving",
     "vrts.live.teaching",
 )
+EDITORS = "vrts.lsp.server.serving"
 Said = subprocess.CompletedProcess[str]
 Written = subprocess.CompletedProcess[bytes]
 
@@ -144,14 +146,16 @@ def _content(file: BinaryIO) -> bytes:
     return file.read()
 
 
-class _Waiting:
+class Waiting:
     """The interpreter that waits, seen from the tests."""
 
-    def __init__(self) -> None:
+    def __init__(self, *modules: str) -> None:
+        """Start it; with modules it loads these alone, and runs no command first."""
+        self._asking = threading.Lock()
         self._link, theirs = socket.socketpair()
         self._link.settimeout(PATIENCE)
         self._process = subprocess.Popen(
-            [sys.executable, "-m", "tests.support_commands", str(theirs.fileno())],
+            [sys.executable, "-m", "tests.support_commands", str(theirs.fileno()), *modules],
             cwd=ROOT,
             env={**os.environ, "PYTHONPATH": str(ROOT)},
             stdin=subprocess.DEVNULL,
@@ -184,9 +188,10 @@ class _Waiting:
 
     def _ask(self, *words: object, streams: tuple[int, ...] = ()) -> int:
         request = json.dumps(words).encode()
-        socket.send_fds(self._link, [len(request).to_bytes(4, "big")], streams)
-        self._link.sendall(request)
-        answer = self._link.recv(4)
+        with self._asking:  # whoever drives servers in threads asks from there
+            socket.send_fds(self._link, [len(request).to_bytes(4, "big")], streams)
+            self._link.sendall(request)
+            answer = self._link.recv(4)
         assert len(answer) == 4, "the waiting interpreter is gone"
         return int.from_bytes(answer, "big", signed=True)
 
@@ -197,8 +202,14 @@ class _Waiting:
 
 
 @cache
-def _waiting() -> _Waiting:
-    return _Waiting()
+def _waiting() -> Waiting:
+    return Waiting()
+
+
+@cache
+def waiting_for_editors() -> Waiting:
+    """Return an interpreter that has loaded the language server, and nothing that is heavy."""
+    return Waiting(EDITORS)
 
 
 # --- on the other side ----------------------------------------------------------------------------
@@ -231,12 +242,12 @@ def _serve(link: socket.socket) -> tuple[list[str], str, dict[str, str]] | None:
 def _main() -> None:
     from vrts.cli.main import main
 
-    for name in LOADED:
+    link, chosen = socket.socket(fileno=int(sys.argv[1])), sys.argv[2:]
+    for name in chosen or LOADED:
         importlib.import_module(name)
-    link = socket.socket(fileno=int(sys.argv[1]))
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
-        for words in FIRST:
+        for words in () if chosen else FIRST:
             sys.argv = ["vrts", *words]
             with contextlib.suppress(SystemExit), contextlib.redirect_stderr(io.StringIO()):
                 main()

@@ -5,26 +5,32 @@ What comes is checked against the types of the protocol and against what the cli
 
 import asyncio
 import json
+import logging
 import sys
 import threading
 import time
 from collections.abc import Callable, Coroutine
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any, TypeAlias, TypeVar, cast
 
 from lsprotocol import types
 from pygls.exceptions import JsonRpcException
+from pygls.io_ import run_async
 from pygls.lsp.client import LanguageClient as PlainClient
 from pygls.protocol import default_converter
 from pytest_lsp import LanguageClient, client_capabilities
 from pytest_lsp.client import register_lsp_features
 from pytest_lsp.protocol import LanguageClientProtocol
 
+from tests.support_commands import waiting_for_editors
+from tests.support_forked import Forked
+
 Result = TypeVar("Result")
 
 PATIENCE = 60.0  # [s] on a busy machine
 EDITOR = "neovim@v0.11"
-SERVER = ("-m", "vrts.cli.main", "lsp")  # words for the interpreter
+SERVER = ("-m", "vrts.cli.main", "lsp")  # words for an interpreter that starts
+Process: TypeAlias = asyncio.subprocess.Process | Forked
 CONVERTER = default_converter()
 
 
@@ -69,6 +75,24 @@ class Driven(LanguageClient):
         assert self._server is not None
         return self._server
 
+    async def fork(self, *words: str) -> Forked:
+        """Begin a server that need not be loaded first."""
+        server = await Forked.begin(waiting_for_editors(), *words)
+        self.protocol.set_writer(server.stdin)
+        listening = run_async(
+            stop_event=self._stop_event,
+            reader=server.stdout,
+            protocol=self.protocol,
+            logger=logging.getLogger(__name__),
+            error_handler=self.report_server_error,
+        )
+        self._server = cast("asyncio.subprocess.Process", server)  # what pygls uses of one
+        self._async_tasks += [
+            asyncio.create_task(listening),
+            asyncio.create_task(self._server_exit()),
+        ]
+        return server
+
 
 class Client:
     """Talks to `vrts lsp`; positions are (line, character) from 0.
@@ -81,8 +105,9 @@ class Client:
         folder: Path,
         encodings: list[str] | None = None,
         editor: str = EDITOR,
-        server: tuple[str, ...] = SERVER,
+        server: tuple[str, ...] | None = None,
     ) -> None:
+        """Begin a server, forked or started with words of one's own, and say hello."""
         self.folder = folder
         self.said: list[tuple[str, Any]] = []  # by the server: nobody has taken it yet
         self.errors: list[str] = []
@@ -122,13 +147,17 @@ class Client:
         return status
 
     async def _start(
-        self, server: tuple[str, ...]
-    ) -> tuple[Driven, asyncio.subprocess.Process, asyncio.Task[None]]:
+        self, server: tuple[str, ...] | None
+    ) -> tuple[Driven, Process, asyncio.Task[None]]:
         client = Driven(self._heard)
-        process = await client.begin(sys.executable, *server)
+        process: Process
+        if server is None:
+            process = await client.fork("lsp")
+        else:
+            process = await client.begin(sys.executable, *server)
         return client, process, asyncio.ensure_future(self._listen(process))
 
-    async def _listen(self, process: asyncio.subprocess.Process) -> None:
+    async def _listen(self, process: Process) -> None:
         assert process.stderr is not None
         async for line in process.stderr:
             self.errors.append(line.decode())
@@ -139,6 +168,8 @@ class Client:
         status = await asyncio.wait_for(self.process.wait(), PATIENCE)
         await self._listening
         await self.client.stop()
+        if isinstance(self.process, Forked):
+            self.process.close()
         return status
 
     # --- buffers --------------------------------------------------------------------------------

@@ -97,7 +97,7 @@ class Replays:
         return None
 
     def _contact(self, run: Run, suspect: Suspect) -> Shown | None:
-        report = check_collisions(self.scene, run)
+        report = check_collisions(self.scene, run, clearance=False)  # only contacts are asked for
         for contact in report.contacts:
             if _same_bodies(contact, suspect.what[:2]):
                 first, second = sides(contact)

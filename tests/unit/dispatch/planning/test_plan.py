@@ -4,6 +4,7 @@ import os
 import subprocess
 import sys
 from collections.abc import Sequence
+from functools import cache
 from pathlib import Path
 from types import MappingProxyType
 
@@ -232,6 +233,12 @@ DOWN = ("MOVE SHIFT(safe BY 0, 0, -480)", "BREAK")  # into the table
 FAILS = main("READY", "IF SIG(1001) THEN", *DOWN, "END", "READY")
 
 
+@cache
+def failing() -> Plan:
+    """Return what speaks against a program that goes wrong in some future."""
+    return planned(FAILS)
+
+
 def test_both_ways_of_an_input_are_looked_at_without_a_scenario() -> None:
     found = planned(DECIDES)
     assert found.bundle is not None, found.refused
@@ -243,7 +250,7 @@ def test_both_ways_of_an_input_are_looked_at_without_a_scenario() -> None:
 
 
 def test_what_goes_wrong_in_some_future_is_refused_with_what_came_from_outside() -> None:
-    found = planned(FAILS)
+    found = failing()
     assert codes(found) == ["V815"]
     one = found.refused[0]
     assert one.primary is not None
@@ -377,7 +384,7 @@ def test_waiting_for_an_input_is_no_decision(tmp_path: Path) -> None:
 
 
 def test_a_waiver_stands_in_manifest_and_sheet_and_an_idle_one_does_not() -> None:
-    refused = planned(FAILS).refused
+    refused = failing().refused
     names = [finding_of(one) for one in refused]
     for name, one in zip(names, refused, strict=True):
         assert any(f"--waive {name} " in words for words in one.help), "it says how to answer"
@@ -411,16 +418,15 @@ DEEPER = ("MOVE SHIFT(safe BY 0, 0, -500)", "BREAK")
     ],
 )
 def test_a_waiver_covers_one_finding_at_one_place(other: str) -> None:
-    names = [finding_of(one) for one in planned(FAILS).refused]
+    names = [finding_of(one) for one in failing().refused]
     promises = [Promise(name, "measured", "R. Huber") for name in names]
-    assert planned(FAILS, promises=promises).bundle is not None
     found = planned(other, promises=promises)
     assert codes(found) == ["V815"]
     assert found.idle == tuple(sorted(names))
 
 
 def test_of_two_findings_of_one_kind_one_is_waived_alone() -> None:
-    first, second = planned(FAILS).refused
+    first, second = failing().refused
     promise = Promise(finding_of(first), "measured", "R. Huber")
     left = planned(FAILS, promises=(promise,))
     assert left.bundle is None
@@ -521,6 +527,7 @@ def test_a_bundle_is_written_and_a_refused_one_is_not(tmp_path: Path) -> None:
     assert call(tmp_path).exit_code == 1
 
 
+@pytest.mark.thorough
 def test_two_processes_write_the_same_bytes(tmp_path: Path) -> None:
     (tmp_path / "x.v2").write_text(main("MOVE safe", "n = 2", "READY"), "utf-8")
     found: set[bytes] = set()
