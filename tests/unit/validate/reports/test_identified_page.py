@@ -2,6 +2,7 @@
 
 import json
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 
 import jsonschema
@@ -12,22 +13,25 @@ from tests.support_commands import vrts_text
 from tests.unit.validate.identify.test_identify import WITHOUT, log_of
 from tests.unit.validate.support import EXAMPLE, turning_run
 from vrts.report.formats.json_text import json_text
-from vrts.validate.identify.identify import identify_log
+from vrts.validate.identify.identify import Identified, identify_log
 from vrts.validate.reports.identified_json import identified_json, identified_schema
 from vrts.validate.reports.identified_page import identified_page
 from vrts.validate.reports.identified_schema import IdentifiedForm
 from vrts.validate.reports.identified_text import sentence
 
-FOUND = identify_log(
-    turning_run(), log_of(turning_run(), WITHOUT._replace(zero_deg=(0.0, 0.0, 0.5, 0.0, 0.0, 0.0)))
-)
+
+@cache
+def identified() -> Identified:
+    """Return what is found of a joint whose zero is wrong."""
+    wrong = WITHOUT._replace(zero_deg=(0.0, 0.0, 0.5, 0.0, 0.0, 0.0))
+    return identify_log(turning_run(), log_of(turning_run(), wrong))
 
 
 def test_the_page_says_the_sentence_the_numbers_and_what_is_not_known() -> None:
-    page = identified_page(replace(FOUND, log="<b>log</b>"), "<i>turns</i>.v2")
-    said = sentence(FOUND)
+    page = identified_page(replace(identified(), log="<b>log</b>"), "<i>turns</i>.v2")
+    said = sentence(identified())
     assert said[0].upper() + said[1:] in page
-    (number,) = FOUND.numbers
+    (number,) = identified().numbers
     assert "joint 3 [deg]" in page
     assert f"{number.value * 57.29577951308232:+.4f}" in page
     assert "What this log cannot tell" in page
@@ -37,7 +41,7 @@ def test_the_page_says_the_sentence_the_numbers_and_what_is_not_known() -> None:
 
 
 def test_json_is_as_its_schema_says() -> None:
-    document = json.loads(json_text(identified_json(FOUND)))
+    document = json.loads(json_text(identified_json(identified())))
     jsonschema.validate(document, identified_schema())
     assert msgspec.convert(document, IdentifiedForm)["causes"][0]["name"] == "joint 3"
     broken = {**document, "causes": [{"name": "joint 3"}]}
