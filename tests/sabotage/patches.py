@@ -36,6 +36,20 @@ __all__ = ["PATCHES", "Patch"]
 
 PATCHES: tuple[Patch, ...] = (
     Patch(
+        "`keep` writes the value of an argument over another argument of its call",
+        "vrts/debug/editing/keeping.py",
+        "    piece = (begin + listed[place].start(), begin + listed[place].end())",
+        "    piece = (begin + listed[0].start(), begin + listed[0].end())",
+        ("tests/unit/debug/editing/test_keeping.py",),
+    ),
+    Patch(
+        "a search of the value that would do hears nobody",
+        "vrts/repair/search.py",
+        "            self._hear()\n",
+        "            pass\n",
+        ("tests/unit/debug/editing/test_would.py",),
+    ),
+    Patch(
         "a condition reads timers as they were before the last step that set one",
         "vrts/debug/conditions/timers.py",
         "        return self._zeros[k - 1] if k else {}",

@@ -11,7 +11,7 @@ from vrts.debug.debugger import Debugger, Stop, Why
 from vrts.debug.evaluating import CannotTell, evaluate, worked_out
 from vrts.debug.events.asking import TABLES
 from vrts.debug.events.asking import Answer as Told
-from vrts.debug.files import Files
+from vrts.debug.files import Files, Lockable
 from vrts.debug.frames import Frame, frames
 from vrts.debug.giving import Target, command_for, given, target_of
 from vrts.debug.history import answers
@@ -26,7 +26,6 @@ from vrts.ir.values import Type, Value, type_of_value
 from vrts.lang.typed.commands import read_command
 from vrts.monitor import words
 from vrts.monitor.desk import Desk, Situation
-from vrts.monitor.folder import WorkingFolder
 from vrts.monitor.listings import value_text
 from vrts.monitor.monitor import Monitor
 from vrts.pipeline.request import Request
@@ -64,7 +63,7 @@ class Console:
         """
         self._hints = hints
         self._debugger = debugger
-        self._folder = folder
+        self.folder = Lockable(folder)
         self.request, self.files = request, files
         self.goals = Goals(debugger.run)
         self.marking = Marking(debugger, self.goals)
@@ -77,7 +76,7 @@ class Console:
 
     def show(self, sources: Sequence[SourceFile]) -> None:
         """Have these programs in memory, and no others."""
-        desk = Desk(WorkingFolder(self._folder), self._debugger.dialect, asks=False, replace=True)
+        desk = Desk(self.folder, self._debugger.dialect, asks=False, replace=True)
         self._monitor = Monitor(desk)
         for source in sources:
             self._monitor.load(source, self._now)
@@ -85,6 +84,7 @@ class Console:
     def take_over(self, other: "Console") -> None:
         """Read lines with the programs that another console has in memory."""
         self._monitor, self._hints = other._monitor, other._hints
+        self.folder = other.folder
         self.request, self.files = other.request, other.files
 
     @property

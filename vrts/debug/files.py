@@ -1,7 +1,33 @@
-"""Files that a debugging session was opened from, and whether they are still what they were."""
+"""Files of a debugging session: whether they are what they were, and whether it may change any."""
 
 from collections.abc import Iterable
 from pathlib import Path
+
+from vrts.monitor.folder import CannotUse, WorkingFolder
+
+LOCKED = "a script changes no file"
+
+
+class Lockable(WorkingFolder):
+    """The monitor's folder; while it is locked no command changes a file, whatever its name is."""
+
+    locked = False
+    refused = False  # a change was, since somebody last said that none was
+
+    def write(self, name: str, data: bytes, *, replace: bool) -> None:
+        """Write a file whole or not at all."""
+        self._change()
+        super().write(name, data, replace=replace)
+
+    def delete(self, name: str) -> None:
+        """Remove a regular file of a kind that the monitor writes."""
+        self._change()
+        super().delete(name)
+
+    def _change(self) -> None:
+        if self.locked:
+            self.refused = True
+            raise CannotUse("Nonexistent file", LOCKED)
 
 
 class Files:

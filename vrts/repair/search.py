@@ -79,13 +79,15 @@ def search(
     grade: Grade,
     budget: Budget,
     only: Callable[[Candidate], bool] | None = None,
+    hear: Callable[[], None] = lambda: None,
 ) -> Search:
     """Return changes of a program that earn the full mark: one at a time, else two.
 
-    `only` says which changes are asked about: of these none are joined to two.
+    `only` says which changes are asked about: of these none are joined to two. What `hear` raises
+    ends the search; it is called before each change that is tried.
     """
     memory = Memory()
-    level = _Level(place, source, (run, judgement, grade), memory, budget, only)
+    level = _Level(place, source, (run, judgement, grade), memory, budget, only, hear)
     level.go(min(budget.alone, budget.executions))
     count = 0
     good = 0  # helpers looked at since one was good, that one too
@@ -98,7 +100,7 @@ def search(
             left = budget.executions - level.count - count
             if left <= 0 or good > budget.others:
                 break
-            second = _Level(place, *_next(place, source, helper), memory, budget)
+            second = _Level(place, *_next(place, source, helper), memory, budget, None, hear)
             second.go(min(budget.second * (1 if n else 2), left))
             count += second.count
             two += _together(source, helper, second.found)
@@ -140,8 +142,10 @@ class _Level:
         judged: tuple[Run, Judgement, Grade],
         memory: Memory,
         budget: Budget,
-        only: Callable[[Candidate], bool] | None = None,
+        only: Callable[[Candidate], bool] | None,
+        hear: Callable[[], None],
     ) -> None:
+        self._hear = hear
         self.place, self.source, self.memory, self.budget = place, source, memory, budget
         dialect = place.options.dialect or VAL2
         written = read(source, dialect)
@@ -164,6 +168,7 @@ class _Level:
         """Look until a number of executions is reached, or good changes stand out."""
         left, enough = most, math.inf
         while self.count < left:
+            self._hear()
             candidate = self._queue.next()
             if candidate is None or candidate.cost > enough:
                 break

@@ -17,10 +17,10 @@ from vrts.debug.console import Console
 from vrts.debug.debugger import Debugger
 from vrts.debug.editing.text import take_up
 from vrts.debug.evaluating import CannotTell
-from vrts.engine.memory.cells import Array, Cell
+from vrts.engine.memory.cells import Array, Bound, Cell
 from vrts.engine.run import Run
 from vrts.engine.statements import statements
-from vrts.ir.commands import SetVariable
+from vrts.ir.commands import SetLocal, SetVariable
 from vrts.ir.values import Value
 from vrts.lang.names import key
 from vrts.lang.reading.decoding import decode
@@ -35,6 +35,10 @@ _STEP = re.compile(
     re.IGNORECASE | re.ASCII,
 )
 _PARTS = re.compile(r"(?:TRANS|#PPOINT)\s*\((?P<inside>[^()]*)\)", re.IGNORECASE)
+_CALL = re.compile(
+    r"\s*(?:\d+\s+)?CALL\s+[A-Za-z][\w.]*\s*\((?P<inside>[^()]*)\)\s*", re.IGNORECASE | re.ASCII
+)
+_ARGUMENT = re.compile(r'"[^"]*"|[^\s,"]+(?:\s+[^\s,"]+)*|(?<=,)\s*(?=,)')
 _TEXT = re.compile(r'"[^"]*"')
 FINE = 1e-9  # numbers nearer than this are written alike
 
@@ -71,18 +75,26 @@ def kept(tree: Tree, name: str = "") -> Kept:
     """
     branch, command = _changed(tree, key(name.replace(" ", "")))
     run = branch.run
-    inside = f"[{','.join(map(str, command.subscripts))}]" if command.subscripts else ""
-    shown = f"{command.name}{inside}"
     assert command.value is not None
-    cell = _cell(run, command)
+    place: int | None = None  # of an argument
+    if isinstance(command, SetLocal):
+        bound, place = _local(run, command, branch.forked.finished)
+    else:
+        bound = next((b for b in run.history.memory.bound if b.name == command.name), None)
+    cell = _cell(bound, command)
+    inside = f"[{','.join(map(str, command.subscripts))}]" if command.subscripts else ""
+    asked, shown = f"{command.name}{inside}", cell.name
     since = [number for number in dict.fromkeys(cell.since) if number <= branch.forked.finished]
     for number in reversed(since):
         if number == 0:
-            return _row(tree.current, command, shown)
+            return _row(tree.current, command, shown)._replace(name=asked)
         found = statements(run.history, number - 1, number)
-        if found:
-            return _step(tree.current, found[0].cause.span, shown, command.value)
-    raise CannotTell(f"no step and no row gives `{shown}` its value: there is no literal to change")
+        span = found[0].cause.span if found else None
+        if span is not None and place is not None and _CALL.fullmatch(span.text):
+            return _argument(tree.current, span, place, asked, command.value)
+        if span is not None:
+            return _step(tree.current, span, shown, command.value)._replace(name=asked)
+    raise CannotTell(f"no step and no row gives `{asked}` its value: there is no literal to change")
 
 
 def write_back(
@@ -109,7 +121,7 @@ def write_back(
     return take_up(console, debugger, {found.source.name: found.text})
 
 
-def _changed(tree: Tree, name: str) -> tuple[Branch, SetVariable]:
+def _changed(tree: Tree, name: str) -> tuple[Branch, SetVariable | SetLocal]:
     """Return the last future in which a variable was given a value by hand, and the command."""
     branch = tree.current
     while branch.parent:
@@ -117,7 +129,9 @@ def _changed(tree: Tree, name: str) -> tuple[Branch, SetVariable]:
         before = parent.run.history.issued
         for timed in branch.run.history.issued:
             command = timed.command
-            if timed in before or not isinstance(command, SetVariable) or command.value is None:
+            if timed in before or not isinstance(command, SetVariable | SetLocal):
+                continue
+            if command.value is None:
                 continue
             inside = f"[{','.join(map(str, command.subscripts))}]" if command.subscripts else ""
             if name in ("", f"{command.name}{inside}"):
@@ -127,17 +141,30 @@ def _changed(tree: Tree, name: str) -> tuple[Branch, SetVariable]:
     raise CannotTell(f"{what} on the way to this future: `set x = 5` first")
 
 
-def _cell(run: Run, command: SetVariable) -> Cell:
-    bound = next((b for b in run.history.memory.bound if b.name == command.name), None)
+def _local(run: Run, command: SetLocal, finished: int) -> tuple[Bound | None, int | None]:
+    """Return what an argument or AUTO variable stands for, and which argument it is."""
+    history = run.history.process if command.process else run.history.robot
+    activation = history.trace.activation(finished)
+    if activation is None:
+        return None, None
+    program = run.history.code.programs[activation.program]
+    names = [slot.name for slot in (*program.formals, *program.autos)]
+    if command.name not in names:
+        return None, None
+    k = names.index(command.name)
+    return activation.slots[k], k if k < len(program.formals) else None
+
+
+def _cell(bound: Bound | None, command: SetVariable | SetLocal) -> Cell:
     found = bound.elements.get(command.subscripts) if isinstance(bound, Array) else bound
     if not isinstance(found, Cell):
         raise CannotTell(f"`{command.name}` is not there any more")
     return found
 
 
-def _row(branch: Branch, command: SetVariable, shown: str) -> Kept:
+def _row(branch: Branch, command: SetVariable | SetLocal, shown: str) -> Kept:
     """Return the edit of a row of data."""
-    wanted = (command.name, command.subscripts)
+    wanted = (shown.partition("[")[0], command.subscripts)
     rows = [d for d in branch.run.module.data if (d.name, d.subscripts) == wanted]
     if len(rows) != 1:
         raise CannotTell(f"{len(rows)} rows give `{shown}` a value: there is no one literal")
@@ -155,16 +182,7 @@ def _row(branch: Branch, command: SetVariable, shown: str) -> Kept:
 def _step(branch: Branch, span: Span, shown: str, value: Value) -> Kept:
     """Return the edit of a step that gives a variable one literal."""
     found = _STEP.fullmatch(span.text)
-    source = next(
-        (
-            p.span.source
-            for p in branch.run.module.programs.values()
-            if p.span.source.name == span.source.name
-        ),
-        None,
-    )
-    if source is None or source.text != span.source.text:
-        raise CannotTell("the text has changed since: set the value again")
+    source = _source(branch, span)
     where = f"line {span.line} `{span.text.strip()}`"
     if found is None or key(found["name"].replace(" ", "")) != shown:
         raise CannotTell(f"`{shown}` comes from {where}: no literal decides it alone")
@@ -182,6 +200,32 @@ def _step(branch: Branch, span: Span, shown: str, value: Value) -> Kept:
     if not literal or len(pieces) != len(values):
         raise CannotTell(f"{where} works `{shown}` out: no literal decides it alone")
     return _edited(source, shown, pieces, values)
+
+
+def _argument(branch: Branch, span: Span, place: int, shown: str, value: Value) -> Kept:
+    """Return the edit of an argument that a CALL gives as a literal."""
+    source, found = _source(branch, span), _CALL.fullmatch(span.text)
+    where = f"line {span.line} `{span.text.strip()}`"
+    listed = list(_ARGUMENT.finditer(found["inside"])) if found is not None else []
+    values = _written(value)
+    if found is None or place >= len(listed):
+        raise CannotTell(f"{where} gives `{shown}` its value: no literal decides it alone")
+    begin = span.start + found.start("inside")
+    piece = (begin + listed[place].start(), begin + listed[place].end())
+    given = source.text[slice(*piece)]
+    if len(values) != 1 or not (_NUMBER.fullmatch(given) or _TEXT.fullmatch(given)):
+        raise CannotTell(f"{where} gives `{shown}` the value of `{given}`: that is no literal")
+    return _edited(source, shown, [piece], values)
+
+
+def _source(branch: Branch, span: Span) -> SourceFile:
+    """Return the text of a step, as the present future has it."""
+    programs = branch.run.module.programs.values()
+    named = (p.span.source for p in programs if p.span.source.name == span.source.name)
+    source = next(named, None)
+    if source is None or source.text != span.source.text:
+        raise CannotTell("the text has changed since: set the value again")
+    return source
 
 
 def _operands(text: str) -> Iterator[re.Match[str]]:

@@ -26,6 +26,7 @@ def would(console: Console, debugger: Debugger, text: str) -> list[str]:
 
     Raises:
         CannotTell: There is no such literal, or nothing may or can be looked for.
+        Interrupted: Somebody wants no answer any more.
     """
     request = request_of(console, debugger)
     lines = _lines(debugger.run.module, text, request.program.name)
@@ -34,6 +35,7 @@ def would(console: Console, debugger: Debugger, text: str) -> list[str]:
         Budget(executions=MOST, one=MOST, alone=MOST, more=20),
         reaching=True,
         only=lambda candidate: _is_there(candidate, lines),
+        hear=debugger.hear,
     )
     if found.refused is not None:
         raise CannotTell(found.refused)

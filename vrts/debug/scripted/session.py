@@ -6,25 +6,21 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NamedTuple, TypeAlias, TypeVar
 
-from vrts.base.source import SourceFile
 from vrts.debug.console import Console
 from vrts.debug.debugger import Debugger
 from vrts.debug.evaluating import CannotTell
 from vrts.debug.events.asking import Answer
+from vrts.debug.files import LOCKED
 from vrts.debug.frames import Frame, frames
 from vrts.debug.history.listed import Listed
 from vrts.debug.scripted.places import Place, source_of
 from vrts.ir.values import Value
-from vrts.lang.typed.commands import read_command
 from vrts.monitor.listings import value_text
 
 T = TypeVar("T")
 
 _ASSIGNED = re.compile(r"\s*[$#]?[A-Za-z][\w.]*\s*(?:\[[^\]]*\])?\s*=\s*[^=].*")
 _NOTHING = re.compile(r"`[^`\n]*` has no value")  # how an operand is refused
-_CHANGES_FILES = frozenset(
-    {"STORE", "STOREL", "STOREP", "STORER", "STORES", "FCOPY", "FDELETE", "FRENAME", "COMPRESS"}
-)
 
 
 class Refusal(Exception):  # noqa: N818 -- names the situation
@@ -114,9 +110,6 @@ class Session:
         """
         console, frame, failed = self.console, self.frame(), ""
         if not console.reads_on and not self.debugger.asks and not _ASSIGNED.fullmatch(line):
-            command, _ = read_command(SourceFile("console", line), self.debugger.dialect)
-            if command is not None and command.word.text in _CHANGES_FILES and not self.writes:
-                raise Refusal("a script changes no file")
             try:
                 done.value = console.value(line, frame)
             except CannotTell as problem:
@@ -124,7 +117,14 @@ class Session:
             else:
                 done.said.append(value_text(done.value))
                 return
-        text = console.enter(line, frame)
+        folder = console.folder
+        folder.locked, folder.refused = not self.writes, False
+        try:
+            text = console.enter(line, frame)
+        finally:
+            folder.locked = False
+        if folder.refused:
+            raise Refusal(LOCKED)
         answer = text.strip()
         if answer and (answer == failed or answer.startswith("*") or _NOTHING.fullmatch(answer)):
             raise Refusal(text.rstrip())

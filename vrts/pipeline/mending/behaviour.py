@@ -9,7 +9,7 @@ from vrts.pipeline.assess import assess
 from vrts.pipeline.execution import compiled_for
 from vrts.pipeline.request import Request
 from vrts.pipeline.setting import scenario_of
-from vrts.repair.edit import Candidate
+from vrts.repair.edit import Candidate, Change
 from vrts.repair.ranking import Repair, implausible, standing_out
 from vrts.repair.search import Budget, search
 from vrts.repair.trying.reach import Reach, reach
@@ -36,6 +36,7 @@ def mended(
     reaching: bool = False,
     hints: Hints | None = None,
     only: Callable[[Candidate], bool] | None = None,
+    hear: Callable[[], None] = lambda: None,
 ) -> Mended:
     """Return what would mend a program that compiles and loses points in its task.
 
@@ -45,6 +46,7 @@ def mended(
         reaching: Whether to look how far a number may go, where one stands out.
         hints: What may be told, whatever the task allows: of those who mark. None: as it says.
         only: Which changes are asked about; None: all.
+        hear: Called before each that is tried; what it raises ends the search.
     """
     compiled = compiled_for(request)
     found = assess(request, compiled)
@@ -69,11 +71,16 @@ def mended(
         request.program.name,
         request.entry or (task.program and task.program.lower()),
     )
-    result = search(place, found.source, run, judgement, grade, budget or Budget(), only)
+    result = search(place, found.source, run, judgement, grade, budget or Budget(), only, hear)
     best = standing_out(result.repairs) if reaching else None
     far = None
     if best is not None and task.hints >= Hints.NUMBER:
-        far = reach(place, found.source, best.change, lambda each: implausible(each) == 0)
+
+        def legal(each: Change) -> bool:
+            hear()
+            return implausible(each) == 0
+
+        far = reach(place, found.source, best.change, legal)
     return Mended(
         found,
         result.repairs,

@@ -118,3 +118,56 @@ def test_an_editor_gets_the_edits_and_carries_them_out(s: Session, program: Path
     (edit,) = answer.body["edits"]
     assert (edit["line"], edit["column"], edit["endColumn"], edit["text"]) == (2, 6, 7, "4")
     assert program.read_bytes() == BYTES
+
+
+CALLS = """.PROGRAM main()
+ x = 3
+ m = 0
+ CALL twice(5, m, "hi, you")
+ CALL twice(x, m, "no")
+ CALL twice(x+1, m, "no")
+ TYPE m
+.END
+.PROGRAM twice(a, b, $c)
+ AUTO n
+ n = 2
+ b = a*n
+ b = b+0
+.END
+"""
+
+
+@pytest.mark.parametrize(
+    ("times", "given", "before", "after"),
+    [
+        (1, "a = 7", "twice(5, m", "twice(7, m"),
+        (1, '$c = "ho"', 'm, "hi, you")', 'm, "ho")'),
+        (1, "n = 4", " n = 2", " n = 4"),
+        (2, "a = 9", " x = 3", " x = 9"),
+    ],
+)
+def test_an_argument_is_written_where_its_call_or_its_variable_has_the_literal(
+    tmp_path: Path, times: int, given: str, before: str, after: str
+) -> None:
+    path = tmp_path / "calls.v2"
+    path.write_text(CALLS)
+    s = opened_session(path)
+    s.write = write_file
+    for _ in range(times):
+        carry_out(s, "to 12")
+    said(s, f"set {given}")
+    name = given.partition(" = ")[0]
+    assert f"`keep {name} yes` writes it" in said(s, "keep")
+    said(s, f"keep {name} yes")
+    assert path.read_text() == CALLS.replace(before, after)
+
+
+def test_an_argument_that_is_worked_out_is_refused_with_the_call(tmp_path: Path) -> None:
+    path = tmp_path / "calls.v2"
+    path.write_text(CALLS)
+    s = opened_session(path)
+    for _ in range(3):
+        carry_out(s, "to 12")
+    said(s, "set a = 9")
+    assert "gives `a` the value of `x+1`: that is no literal" in refused(s, "keep")
+    assert path.read_text() == CALLS

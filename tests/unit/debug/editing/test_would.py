@@ -7,6 +7,7 @@ import pytest
 from tests.places import ROOT
 from tests.unit.debug.editing.test_text import opened_session
 from tests.unit.debug.scripted.test_commands import refused, said, session
+from vrts.debug.conditions.hearing import Interrupted
 from vrts.debug.dap.arguments import Fields
 from vrts.debug.dap.editing import EDITING
 from vrts.debug.dap.session import Session as Client
@@ -53,3 +54,20 @@ def test_what_is_no_literal_is_refused(tmp_path: Path) -> None:
 def test_no_more_is_told_than_the_task_allows(tmp_path: Path, hints: str) -> None:
     s = mistaken(tmp_path, hints)  # two digits of a row changed places: that has no direction
     assert said(s, "would base2_put") == "look at line 28"
+
+
+def test_a_search_is_ended_by_who_wants_no_answer_any_more(tmp_path: Path) -> None:
+    s = mistaken(tmp_path)
+    before = s.debugger.run, s.debugger.at
+    heard: list[int] = []
+
+    def hear() -> None:
+        heard.append(1)
+        if len(heard) == 3:
+            raise Interrupted
+
+    s.debugger.hear = hear
+    with pytest.raises(Interrupted):
+        EDITING["vrts/would"](Client(s.debugger, s.console, Files([])), Fields({"line": 19}))
+    assert len(heard) == 3
+    assert (s.debugger.run, s.debugger.at) == before
