@@ -1,6 +1,7 @@
 """All features of one program."""
 
 from collections.abc import Iterator
+from itertools import islice
 from typing import NamedTuple
 
 from vrts.marking.similarity.features.code import code_features
@@ -10,7 +11,7 @@ from vrts.marking.similarity.features.habits import habit_features
 from vrts.marking.similarity.features.motion import motion_features
 from vrts.marking.similarity.features.text import text_features
 from vrts.marking.similarity.features.values import value_features
-from vrts.marking.similarity.symbols import Reader, readable
+from vrts.marking.similarity.symbols import Readable, Reader, readable
 from vrts.marking.submission.sketch import Sketch
 from vrts.pipeline.compiling.programs import compile_bytes
 
@@ -36,8 +37,11 @@ class Digests(NamedTuple):
 def features_of(program: Program, name: str, reader: Reader) -> Iterator[Feature]:
     """Yield the features of a program; of what is no text there are none."""
     file = readable(program.data, name)
-    if file is None:
-        return
+    if file is not None:
+        yield from _features(program, file, name, reader)
+
+
+def _features(program: Program, file: Readable, name: str, reader: Reader) -> Iterator[Feature]:
     yield from text_features(file, reader)
     yield from value_features(file)
     yield from habit_features(file)
@@ -52,11 +56,11 @@ def features_of(program: Program, name: str, reader: Reader) -> Iterator[Feature
 
 def digests_of(program: Program, name: str, reader: Reader) -> Digests:
     """Return a program as numbers."""
-    found: dict[Channel, set[int]] = {channel: set() for channel in CHANNELS}
-    for number, feature in enumerate(features_of(program, name, reader)):
-        if number >= MOST_FEATURES:
-            break
-        found[feature.channel].add(feature.digest)
     file = readable(program.data, name)
-    words = () if file is None else words_counted(file)
-    return Digests(tuple(tuple(sorted(found[channel])) for channel in CHANNELS), words)
+    if file is None:
+        return Digests(((),) * len(CHANNELS), ())
+    found: dict[Channel, set[int]] = {channel: set() for channel in CHANNELS}
+    for feature in islice(_features(program, file, name, reader), MOST_FEATURES):
+        found[feature.channel].add(feature.digest)
+    channels = tuple(tuple(sorted(found[channel])) for channel in CHANNELS)
+    return Digests(channels, words_counted(file))

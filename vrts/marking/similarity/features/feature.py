@@ -30,7 +30,7 @@ class Feature(NamedTuple):
     @property
     def digest(self) -> int:
         """A number for the piece, the same in every program and on every machine."""
-        text = f"{self.channel.value}|{self.kind}|{self.key!r}".encode("utf-8", "replace")
+        text = f"{self.channel._value_}|{self.kind}|{self.key!r}".encode("utf-8", "replace")
         return int.from_bytes(blake2b(text, digest_size=8).digest(), "big", signed=True)
 
 
