@@ -8,7 +8,7 @@ MARKING = {  # a process for each program: long
     *("answer-an-appeal", "change-a-mark", "find-copied-programs", "mark-a-class"),
     *("mark-on-other-machines", "mark-without-names", "marks-into-moodle"),
     *("decide-with-others", "give-each-student-a-variant", "mark-at-the-desk"),
-    *("see-who-moves-after-a-repair", "fair-variants", "exam"),
+    *("see-who-moves-after-a-repair", "fair-variants", "exam", "unsafe-marks", "late-work"),
     *("bring-it-to-the-robot", "find-what-is-wrong-with-the-robot"),
 }
 LEAST = 90
