@@ -37,6 +37,7 @@ return {
   exact: [-0.5, 1, 0.125, 0, 1 / 3].map(words.exact),
   amount: ["-3/2", "4", 2.5, null].map(words.amount),
   points: [-1.5, 0, 2].map(words.points),
+  lost: [1.226038, "-13/500", -1.5, null].map(words.lost),
   after_points: [words.after(9.8, 0.5, 10), words.after(0.2, -1, 10), words.after(null, 1, 10)],
   ids: ["Grip: nicht geprüft!", "Grip", "李"].map((title) =>
     words.identifier(title, new Set(["grip"]))),
@@ -74,6 +75,7 @@ def test_what_the_page_computes(tmp_path: Path) -> None:
         "exact": ["-1/2", "1", "1/8", "0", "333/1000"],
         "amount": [-1.5, 4, 2.5, None],
         "points": ["−1.5", "±0", "+2"],
+        "lost": ["−1.23", "−0.03", "−1.5", ""],
         "after_points": [10, 0, None],
         "ids": ["grip-nicht-gepruft", "grip-2", "item"],
     }

@@ -42,10 +42,10 @@ export function points(value) {
   return number < 0 ? `−${size}` : number > 0 ? `+${size}` : "±0";
 }
 
-/** Return points that were lost, whichever sign they came with. @param {number | string | null | undefined} value */
+/** Return points that were lost, whichever sign they came with, in hundredths: an earlier vrts did not round them. @param {number | string | null | undefined} value */
 export function lost(value) {
   const number = amount(value);
-  return number === null ? "" : points(-Math.abs(number));
+  return number === null ? "" : points(-Math.round(Math.abs(number) * 100) / 100);
 }
 
 /** Return "1 student", "12 students". @param {number} count @param {string} one @param {string} many */

@@ -35,9 +35,10 @@ export class StatisticsView {
   draw(data) {
     const { desk } = this;
     const top = this.place.scrollTop;
+    const unsafe = [...desk.rows.values()].filter((row) => row.unsafe.length).length;
     this.place.replaceChildren(
       section("Marks",
-        make("p", { class: "lead" }, "Mean ", make("b", { text: mark(data.mean) }), ", median ", make("b", { text: mark(data.median) }), ` of ${desk.total}; ${counted(desk.rows.size, "program")}.`),
+        make("p", { class: "lead" }, "Mean ", make("b", { text: mark(data.mean) }), ", median ", make("b", { text: mark(data.median) }), ` of ${desk.total}; ${counted(desk.rows.size, "program")}${unsafe ? `, ${unsafe} of them with a mark that is unsafe` : ""}.`),
         histogram(data.marks, "Final marks")),
       section("Checks", this.checks(data)),
       section("Causes", this.causes(data)),
