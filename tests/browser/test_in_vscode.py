@@ -66,6 +66,14 @@ def numbers_of_safe(code: Code) -> tuple[str, ...]:
     return found.groups() if found else ()
 
 
+def place_of(code: Code, arm: Frame, name: str) -> tuple[float, float]:
+    """Return the middle of a location's handle on the page, where it stays."""
+    code.until(lambda: not arm.evaluate("window.vrts.stage.viewer.pending"), "all is drawn")
+    box = arm.locator(".place", has_text=name).bounding_box()
+    assert box is not None
+    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
+
 def a_location_is_dragged(code: Code, arm: Frame) -> None:
     """The text changes by one edit, undo brings it back; Escape gives up; keys do it, too."""
     before = ("900.00", "30.00", "100.00")
@@ -75,11 +83,10 @@ def a_location_is_dragged(code: Code, arm: Frame) -> None:
     handle.wait_for()
 
     def drag(x: int, y: int) -> None:
-        box = handle.bounding_box()
-        assert box is not None
-        mouse.move(box["x"] + 12, box["y"] + 12)
+        left, top = place_of(code, arm, "safe")
+        mouse.move(left, top)
         mouse.down()
-        mouse.move(box["x"] + 12 + x, box["y"] + 12 + y, steps=4)
+        mouse.move(left + x, top + y, steps=4)
 
     drag(20, -6)
     code.until(lambda: "mm: reachable" in arm.inner_text(".moving"), "the arm reaches it")
@@ -119,6 +126,36 @@ def a_location_is_dragged(code: Code, arm: Frame) -> None:
     code.until(lambda: note(arm).startswith("Click a line"), "it is verified once more")
 
 
+def another_future_is_drawn(code: Code, arm: Frame) -> None:
+    """A location dragged while debugging makes a future; the one before stands beside it."""
+
+    def debugged() -> list[float]:
+        return list(arm.evaluate("window.vrts.places.handles.get('safe').row.numbers"))
+
+    before = debugged()
+    left, top = place_of(code, arm, "safe")
+    code.page.mouse.move(left, top)
+    code.page.mouse.down()
+    code.page.mouse.move(left + 18, top - 18, steps=4)
+    code.page.mouse.up()
+    code.until(lambda: arm.locator("#futures").is_visible(), "the debugger has two futures")
+    assert debugged() != before
+    arm.select_option("#other", label="1: the program as it was opened")
+    code.until(lambda: "than this one" in arm.inner_text("#apart"), "the other future")
+    arm.evaluate("window.vrts.stage.jump(1.2)")
+    code.until(lambda: "mm apart now" in arm.inner_text("#apart"), "both at the same time")
+    assert arm.evaluate("window.vrts.futures.ghost.robot.group.visible")
+    with_both = arm.locator("#canvas").screenshot()
+    code.until(lambda: arm.locator("#compared").is_visible(), "both side by side")
+    assert "clearance" in str(arm.locator("#compared pre").text_content())
+    arm.select_option("#other", label="no other future")
+    code.until(lambda: not arm.inner_text("#apart"), "the present one alone")
+    code.until(lambda: arm.locator("#canvas").screenshot() != with_both, "nothing else is drawn")
+    code.page.keyboard.press("Control+z")
+    code.until(lambda: debugged() == before, "undo: the debugger follows, too")
+    code.until(lambda: arm.locator("#other option").count() == 3, "another future")
+
+
 def test_the_arm_stands_where_text_and_debugger_stand(code: Code) -> None:
     code.open("solution.v2")
     code.until(lambda: "10.0 / 10 · ready" in code.status(), "the mark in the status bar")
@@ -150,6 +187,7 @@ def test_the_arm_stands_where_text_and_debugger_stand(code: Code) -> None:
     later = time_of(arm)
     code.page.click(".debug-toolbar .codicon-debug-step-back")
     code.until(lambda: time_of(arm) < later, "a step back")
+    another_future_is_drawn(code, arm)
     code.page.keyboard.press("Shift+F5")
     code.until(lambda: note(arm).startswith("Click a line"), "the end of debugging")
 

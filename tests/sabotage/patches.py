@@ -134,6 +134,13 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/report/locations",),
     ),
     Patch(
+        "the future that is drawn beside the present one is the present one",
+        "vrts/debug/dap/showing.py",
+        '            "run": run_data(branch.run, None),',
+        '            "run": run_data(session.debugger.run, None),',
+        ("tests/unit/debug/dap/test_showing.py",),
+    ),
+    Patch(
         "a fault in a task file takes the scene beside it away",
         "vrts/lsp/server/background/settings.py",
         "        if looked.recording is not None:",

@@ -11,11 +11,13 @@ from vrts.check.judgement import Judgement
 from vrts.debug.conditions.heard_proposer import HeardProposer
 from vrts.debug.dap.arguments import BadRequest, Fields
 from vrts.debug.dap.session import PROCESS, ROBOT, Answer, Event, Session
+from vrts.engine.run import Run
 from vrts.pipeline.curve import with_curve
 from vrts.pipeline.files import unwritable
 from vrts.report.assessment import Assessment
 from vrts.report.locations.rows import location_rows
 from vrts.report.page.page import recording
+from vrts.report.page.replay_data import run_data
 from vrts.report.page.replay_lanes import goal_times
 
 
@@ -61,6 +63,30 @@ def _recording(session: Session, a: Fields) -> Answer:
     return Answer({"recording": shown, "future": session.future})
 
 
+def _other(session: Session, a: Fields) -> Answer:
+    """Return another future, to be drawn beside the present one, and how long both take [s]."""
+    tree = session.debugger.tree
+    number = a.whole("number", 0)
+    branch = next((b for b in tree.branches if b.number == number), None)
+    if branch is None:
+        raise BadRequest(f"`number` is one of: {', '.join(str(b.number) for b in tree.branches)}")
+    return Answer(
+        {
+            "number": branch.number,
+            "label": branch.label,
+            "words": branch.words,
+            "took": _took(branch.run),
+            "present": _took(session.debugger.run),
+            "run": run_data(branch.run, None),
+        }
+    )
+
+
+def _took(run: Run) -> float:
+    ended = run.horizon_s if run.ended_s is None else run.ended_s
+    return round(ended - run.started_s, 3)
+
+
 def _seek(session: Session, a: Fields) -> Answer:
     """Go to a time [s], as near as the run reaches; the client has to be told that it goes."""
     time_s = a.number("time", math.nan)
@@ -81,4 +107,5 @@ SHOWING: Mapping[str, Callable[[Session, Fields], Answer]] = {
     "vrts.where": _where,
     "vrts.recording": _recording,
     "vrts.seek": _seek,
+    "vrts.other": _other,
 }

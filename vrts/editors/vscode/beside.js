@@ -46,7 +46,7 @@ class Beside {
       this.light,
       vscode.window.onDidChangeTextEditorSelection((/** @type {any} */ event) => this.selected(event)),
       vscode.window.onDidChangeActiveTextEditor((/** @type {any} */ editor) => this.turnedTo(editor)),
-      vscode.workspace.onDidChangeTextDocument((/** @type {any} */ event) => this.changed(event.document)),
+      vscode.workspace.onDidChangeTextDocument((/** @type {any} */ event) => this.changed(event)),
       vscode.debug.onDidTerminateDebugSession((/** @type {any} */ session) => this.over(session)),
     );
   }
@@ -103,6 +103,7 @@ class Beside {
     if (message.kind === "leave") void this.leave();
     if (message.kind === "reach" && this.uri) void this.moving.reach(this.uri, message);
     if (message.kind === "move" && this.uri) void this.moved(message);
+    if (message.kind === "other") void this.other(message.number);
     if (message.kind === "undo" || message.kind === "redo") void this.moving.again(message.kind, this.uri);
     if (message.kind !== "at") return;
     if (this.session) void this.seek(message.t);
@@ -112,10 +113,13 @@ class Beside {
   /** A location was dragged: the text changes, and with it what is debugged. @param {any} message */
   async moved(message) {
     const document = await this.moving.move(this.uri, message);
-    if (!document || !this.session) return;
-    const changed = { path: document.uri.fsPath, text: document.getText() };
+    if (document && this.session) await this.takeUp(document);
+  }
+
+  /** Let the debugger go on with a text as it is now. @param {any} document */
+  async takeUp(document) {
     try {
-      await this.session.customRequest("vrts/edit", changed);
+      await this.session.customRequest("vrts/edit", { path: document.uri.fsPath, text: document.getText() });
     } catch (problem) {
       this.post({ kind: "note", text: `The debugger goes on with the text before: ${told(problem)}`, old: true });
     }
@@ -142,9 +146,11 @@ class Beside {
     this.future = 0;
   }
 
-  /** The text is another one: what is shown is of the text before. @param {any} document */
-  changed(document) {
-    if (!this.panel || this.session || String(document.uri) !== String(this.uri)) return;
+  /** The text is another one: what is shown is of the text before. @param {any} event */
+  changed({ document, reason }) {
+    if (!this.panel) return;
+    if (this.session && reason && String(document.uri) === String(this.moving.last)) void this.takeUp(document); // a drag undone
+    if (this.session || String(document.uri) !== String(this.uri)) return;
     if (shows(document)) this.post({ kind: "note", text: waitingFor(this.uri), old: true });
   }
 
@@ -213,8 +219,26 @@ class Beside {
       const found = await session.customRequest("vrts.recording", about);
       this.future = found.future;
       this.post({ kind: "recording", recording: found.recording, t: where.time });
+      const { branches } = await session.customRequest("vrts/branches");
+      this.post({ kind: "futures", rows: branches });
     }
     return where;
+  }
+
+  /** Show another future beside the present one. @param {number} number 0: none */
+  async other(number) {
+    const session = this.session;
+    if (!session || !number) return;
+    try {
+      const other = await session.customRequest("vrts.other", { number });
+      this.post({ kind: "other", other });
+      const { branches } = await session.customRequest("vrts/branches");
+      const present = branches.find((/** @type {any} */ one) => one.current);
+      const { rows } = await session.customRequest("vrts/compare", { one: String(present.number), other: String(number) });
+      this.post({ kind: "compared", rows });
+    } catch (problem) {
+      this.post({ kind: "note", text: `The other future is not shown: ${told(problem)}`, old: true });
+    }
   }
 
   /** Go to a time; what is wanted meanwhile comes next, and only the newest. @param {number} t [s] */
@@ -247,6 +271,7 @@ class Beside {
     if (this.session !== session) return;
     this.session = undefined;
     this.future = this.own = 0;
+    this.post({ kind: "futures", rows: [] });
     void this.refresh();
   }
 

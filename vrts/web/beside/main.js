@@ -1,5 +1,6 @@
 // Beside the text of an editor: obeys the editor's messages, and tells it where the reader goes.
 
+import { Futures } from "./futures.js";
 import { Places } from "./places.js";
 import { Stage } from "./stage.js";
 
@@ -10,6 +11,8 @@ const editor = /** @type {any} */ (window).acquireVsCodeApi();
 const note = /** @type {HTMLElement} */ (document.getElementById("note"));
 const replay = /** @type {HTMLElement} */ (document.getElementById("replay"));
 const stage = new Stage(tell);
+const futures = new Futures((number) => editor.postMessage({ kind: "other", number }));
+stage.shown = futures.show.bind(futures);
 document.querySelector(".controls")?.append(/** @type {HTMLElement} */ (document.getElementById("places-check")));
 const places = new Places(
   /** @type {HTMLElement} */ (document.querySelector(".view")),
@@ -50,6 +53,7 @@ const OBEYED = {
     const data = typeof recording === "string" ? JSON.parse(recording) : recording;
     await stage.take(data, Number.isFinite(t) ? t : null);
     places.over(stage.viewer);
+    futures.ghost.over(stage.viewer);
     places.take(data.locations ?? []);
     say(text ?? "", old);
   },
@@ -63,6 +67,16 @@ const OBEYED = {
   },
   note({ text, old }) {
     say(text, old);
+  },
+  futures({ rows }) {
+    futures.list(rows);
+  },
+  async other({ other }) {
+    await futures.take(other);
+    stage.stand(stage.player.t);
+  },
+  compared({ rows }) {
+    futures.compared(rows);
   },
   reach(answer) {
     places.answered(answer);
@@ -87,4 +101,4 @@ document.addEventListener("keydown", (event) => {
 });
 editor.postMessage({ kind: "ready" });
 // For tests and for the curious.
-Object.assign(window, { vrts: { stage, places } });
+Object.assign(window, { vrts: { stage, places, futures } });

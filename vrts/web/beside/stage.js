@@ -32,6 +32,8 @@ export class Stage {
     this.lanes = null;
     this.scene = "";
     this.quiet = false; // what is shown now was asked for by the editor
+    /** @type {(t: number, state: import("../viewer/replay.js").State) => void} */
+    this.shown = () => {}; // called whenever another time is shown
     const slider = /** @type {HTMLInputElement} */ (byId("time"));
     this.slider = slider;
     const jump = (/** @type {number} */ t) => this.jump(t);
@@ -135,6 +137,7 @@ export class Stage {
     const [touching, close] = [now(data.contacts), now([...data.grazes, ...data.doubtful, ...data.near])];
     this.viewer?.show(state);
     this.viewer?.highlight(mark(touching, data.scene));
+    this.shown(t, state);
     this.slider.value = String(t);
     this.slider.setAttribute("aria-valuetext", `${t.toFixed(1)} seconds`);
     byId("clock").textContent = `${t.toFixed(3).padStart(7)} / ${replay.end.toFixed(1)} s`;

@@ -43,3 +43,17 @@ def test_odd_times_are_refused_and_names_of_others_are_borne(
     assert client.do("vrts.where", path=str(tmp_path / "no.v2"))["time"] > 5.0
     client.go("vrts.seek", time=-1)
     assert client.do("vrts.where")["time"] == 0.0
+
+
+def test_another_future_is_given_with_how_long_both_take(client: Client) -> None:
+    client.launch(HITS)
+    path = str(HITS.resolve())
+    recording = client.do("vrts.recording", path=path)["recording"]
+    assert {row["name"] for row in recording["locations"] if not row["why"]}
+    client.do("evaluate", expression="SPEED 50", context="repl")
+    futures = client.do("vrts/branches")["branches"]
+    assert [row["current"] for row in futures] == [False, True]
+    other = client.do("vrts.other", number=futures[0]["number"])
+    assert other["run"]["segments"] == recording["run"]["segments"], "as it was before the change"
+    assert other["took"] < other["present"]
+    assert "one of: 1, 2" in client.ask("vrts.other", number=7)["message"]
