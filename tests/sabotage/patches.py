@@ -36,6 +36,13 @@ __all__ = ["PATCHES", "Patch"]
 
 PATCHES: tuple[Patch, ...] = (
     Patch(
+        "an editor that takes no snippets is sent some",
+        "vrts/lsp/server/helping.py",
+        "        asked[:] = [True] if _snippets(params) else []",
+        "        asked[:] = [True]",
+        ("tests/unit/lsp/server/test_snippets.py",),
+    ),
+    Patch(
         "`keep` writes the value of an argument over another argument of its call",
         "vrts/debug/editing/keeping.py",
         "    piece = (begin + listed[place].start(), begin + listed[place].end())",

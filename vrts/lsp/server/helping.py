@@ -1,5 +1,8 @@
 """Hover, completion and signature help."""
 
+import re
+from itertools import count
+
 from lsprotocol import types
 
 from vrts.lsp.answers.completing import Proposal, What, complete
@@ -23,8 +26,18 @@ _KINDS = {
 }
 
 
+_CALLED = re.compile(r"(?P<name>[^\s(]+)\((?P<inside>[^()]+)\)")
+_ARGUMENT = re.compile(r"[^,\s]+")
+
+
 def register(session: Session) -> None:
     """Answer what helps with the word under the cursor."""
+    asked: list[bool] = []  # holds something where the client takes snippets
+
+    def begins(params: types.InitializeParams) -> None:
+        asked[:] = [True] if _snippets(params) else []
+
+    session.offers.append(begins)
 
     @session.feature(types.TEXT_DOCUMENT_HOVER)
     async def hovering(server: Session, params: types.HoverParams) -> types.Hover | None:
@@ -60,7 +73,8 @@ def register(session: Session) -> None:
         beside = server.documents.beside(document.path)
         found = complete(document, places.offset(params.position), group(document, beside), beside)
         replaced = places.range(found.start, found.end)
-        items = [_item(proposal, replaced) for proposal in found.proposals]
+        fills = bool(asked) and document.source.text[found.end : found.end + 1] != "("
+        items = [_item(proposal, replaced, fills=fills) for proposal in found.proposals]
         return types.CompletionList(is_incomplete=not found.is_all, items=items)
 
     @session.feature(
@@ -80,7 +94,43 @@ def register(session: Session) -> None:
         return types.SignatureHelp([shown], 0, found.active)
 
 
-def _item(proposal: Proposal, replaced: types.Range) -> types.CompletionItem:
+def _snippets(params: types.InitializeParams) -> bool:
+    """Return whether a client fills in places of a text that is completed."""
+    text = params.capabilities.text_document
+    item = text.completion.completion_item if text and text.completion else None
+    return bool(item and item.snippet_support)
+
+
+def _filled(usage: str) -> str | None:
+    """Return `NAME(a, b)` as a snippet whose arguments are places to fill in; None: it has none."""
+    found = _CALLED.fullmatch(usage)
+    if found is None:
+        return None
+    numbers = count(1)
+
+    def place(argument: re.Match[str]) -> str:
+        name = argument[0].replace("\\", "\\\\").replace("$", "\\$").replace("}", "\\}")
+        return f"${{{next(numbers)}:{name}}}"
+
+    listed = re.sub(r",? ?[^,\s]+\.\.\.", "", found["inside"])  # what may come again
+    filled = " BY ".join(_ARGUMENT.sub(place, part) for part in listed.split(" BY "))
+    return f"{found['name'].replace('$', chr(92) + '$')}({filled})"
+
+
+def _item(proposal: Proposal, replaced: types.Range, *, fills: bool) -> types.CompletionItem:
+    called = proposal.what in (What.FUNCTION, What.PROGRAM)
+    filled = _filled(proposal.detail.partition(" in ")[0]) if called and fills else None
+    if filled is not None:
+        return types.CompletionItem(
+            proposal.text,
+            kind=_KINDS[proposal.what],
+            detail=proposal.detail or None,
+            documentation=proposal.about or None,
+            sort_text=f"{proposal.rank}{proposal.text.lower()}",
+            filter_text=proposal.text,
+            insert_text_format=types.InsertTextFormat.Snippet,
+            text_edit=types.TextEdit(replaced, filled),
+        )
     return types.CompletionItem(
         proposal.text,
         kind=_KINDS[proposal.what],
