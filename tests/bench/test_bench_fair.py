@@ -12,6 +12,7 @@ from time import perf_counter
 
 import pytest
 
+from tests.bench.usual import scaled, slowness
 from tests.places import ROOT
 from vrts.assignments.fair.copied import HALF, copied
 from vrts.assignments.fair.fairness import fairness
@@ -92,14 +93,17 @@ def test_variants_of_a_class_are_checked(
     varied = task(tmp_path)
     class_ = of_class(varied)
     tried(varied, next(iter(class_.values())))  # as `vrts task check` does before: all is loaded
+    before = slowness()
     begin, cpu = perf_counter(), spent()
     found = fairness(varied, class_, Workers(CORES))
     took, used = perf_counter() - begin, spent() - cpu
+    slow = before, slowness()
     print("", *fair_lines(varied.variants, found), sep="\n")
     print(
         f"{STUDENTS} students, {len(found.trials)} variants: {took:.1f} s on {CORES} cores, "
-        f"{used:.1f} s of processor time (bound: {LONGEST:.0f} s)"
+        f"{used:.1f} s of processor time"
     )
+    print(scaled(f"{STUDENTS} checked on {CORES} free cores", used / CORES, LONGEST, slow))
     assert found.fair
 
 

@@ -17,6 +17,7 @@ from typing import NamedTuple
 
 import pytest
 
+from tests.bench.usual import scaled, slowness
 from tests.support_class import TASK, entries
 from vrts.marking.layout import Layout
 from vrts.marking.marking import Done, Entry, mark_class
@@ -25,6 +26,7 @@ from vrts.marking.submission.one import Wanted
 from vrts.marking.submission.setting import Place
 
 COUNT, JOBS = 300, 2
+RESULTS_S, FULL_S = 27.0, 54.0  # asked of 300 on two free cores of a usual machine
 SAMPLE = 6  # of the cold processes
 VRTS = Path(sys.executable).parent / "vrts"
 MEMORY = 600_000_000  # bytes that a process may use
@@ -76,8 +78,13 @@ def marked(out: Path, wanted: Wanted) -> tuple[Spent, list[Done]]:
 
 @pytest.mark.parametrize("full", [False, True], ids=["results", "pages-and-recordings"])
 def test_a_class_of_300(tmp_path: Path, full: bool) -> None:
+    name = "pages and recordings" if full else "results only"
+    before = slowness()
     spent, done = marked(tmp_path / "out", Wanted(pages=full, recordings=full))
-    each = told("pages and recordings" if full else "results only", spent, COUNT)
+    slow = before, slowness()
+    each = told(name, spent, COUNT)
+    asked = FULL_S if full else RESULTS_S
+    print("", scaled(f"  300, {name}", spent.processor[0] / JOBS, asked, slow), sep="\n", end="")
     touching = sum(bool(one.result.metrics.contacts) for one in done)
     peak = max(one.peak for one in done)
     size = sum(path.stat().st_size for path in (tmp_path / "out").rglob("*.*") if path.is_file())

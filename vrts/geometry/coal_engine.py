@@ -113,6 +113,18 @@ class Pair:
             _vector(result.normal),
         )
 
+    def told_into(
+        self, first: Transform, second: Transform, normal: Array, a: Array, b: Array
+    ) -> None:
+        """Write the normal and the points of `nearest` into rows of arrays, each of shape (3,)."""
+        result = self._result
+        result.clear()
+        if self._compute(first, second, _REQUEST, result) < FAILED:
+            found = self._other_way(first, second)
+            normal[:], a[:], b[:] = found.normal, found.first, found.second
+            return
+        normal[:], a[:], b[:] = result.normal, result.getNearestPoint1(), result.getNearestPoint2()
+
     def closer_than(self, first: Transform, second: Transform, margin: float) -> bool:
         """Return whether the signed distance is below a margin [m]."""
         return self.distance(first, second) < margin

@@ -6,7 +6,7 @@ padded; a distance library only proposes where to look. It says nothing about wh
 contacts push nothing and stop nothing.
 """
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from types import MappingProxyType
 from typing import TypeAlias
 
@@ -27,7 +27,7 @@ from vrts.check.collision.pairs.findings import (
     leaves,
 )
 from vrts.check.collision.pairs.grips import NEAR_MISS
-from vrts.check.collision.pairs.pair_rows import joined
+from vrts.check.collision.pairs.pair_rows import joined, some, ungrazed
 from vrts.check.collision.pairs.pairs import PAD_DEPTH, Plan
 from vrts.check.collision.search.search import search
 from vrts.check.collision.second_opinion import disagreements
@@ -35,6 +35,7 @@ from vrts.check.collision.telling.episodes import apart_from, episodes
 from vrts.check.collision.telling.sought import contact, doubtful, graze
 from vrts.check.collision.telling.teller import Teller, Told
 from vrts.check.verdict import CollisionReport, ContactEvent, NearMiss
+from vrts.engine.run import Run
 from vrts.geometry.proposing.choose import here
 from vrts.geometry.proposing.proposer import Proposer
 from vrts.geometry.proving.prover import Prover
@@ -134,6 +135,31 @@ def check_collisions(
 
 def _events(told: Sequence[Told[ContactEvent]]) -> tuple[ContactEvent, ...]:
     return tuple(one.event for one in told)
+
+
+def touching(
+    run: Run, wanted: Collection[tuple[str, str]], *, proposer: Proposer | None = None
+) -> frozenset[tuple[str, str]]:
+    """Return those of some pairs of names that touch in a run: have a contact, whenever and how.
+
+    The same as `check_collisions` without a clearance says, where nobody asks what else touches.
+    """
+    by = here() if proposer is None else proposer
+    motion = motion_of(run)
+    if motion.end_s <= motion.start_s:
+        return frozenset()
+    whole = plan_of(run.scene, run, by, NEAR_MISS, clearance=False)
+    of = np.array([group in wanted for group in whole.groups], dtype=np.bool_)
+    todo = whole._replace(
+        pairs=ungrazed(some(whole.pairs, np.flatnonzero(of[whole.pairs.group]))),
+        rigid=some(whole.rigid, np.flatnonzero(of[whole.rigid.group])),
+    )
+    arm = run.scene.robot.arm
+    interval = (motion.start_s, max(motion.end_s, float(whole.pairs.end_s.max(initial=0.0))))
+    found = search(arm, motion, todo.solids, todo.pairs, interval, by, clearance=False)
+    look_once(todo, Prober(arm, motion, todo.solids, Prover(todo.solids, by)), found)
+    group = joined(todo.pairs, todo.rigid).group
+    return frozenset(whole.groups[int(group[touch.pair])] for touch in found.contacts)
 
 
 def look_once(todo: Plan, prober: Prober, found: Findings) -> None:

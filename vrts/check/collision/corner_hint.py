@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from itertools import pairwise
 
 from vrts.base.source import SourceFile
-from vrts.check.collision.collision import check_collisions
+from vrts.check.collision.collision import touching
 from vrts.check.verdict import CollisionReport, ContactEvent
 from vrts.engine.controller import AFTERWARDS, advance, start
 from vrts.engine.memory.events import Grasped
@@ -34,12 +34,12 @@ def corner_hints(run: Run, report: CollisionReport, proposer: Proposer | None) -
     stopping = _stopping(run)
     if stopping.ending not in PROGRAM_ENDS:
         return {}  # it did not get there
-    left = check_collisions(run.scene, stopping, clearance=False, proposer=proposer).contacts
-    touching = {(event.first, event.second) for event in left}  # on whatever step
+    asked = {report.contacts[number][:2] for number in corners}
+    left = touching(stopping, asked, proposer=proposer)  # on whatever step
     return {
         number: _hint(run, motion, report.contacts[number])
         for number, motion in corners.items()
-        if report.contacts[number][:2] not in touching
+        if report.contacts[number][:2] not in left
     }
 
 

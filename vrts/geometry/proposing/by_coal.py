@@ -35,10 +35,9 @@ class ByCoal:
             X_WA = transform(asked.rotation_a[k], asked.origin_a[k])
             X_WB = transform(asked.rotation_b[k], asked.origin_b[k])
             try:
-                answer = pair.nearest(X_WA, X_WB)
+                pair.told_into(X_WA, X_WB, normal[k], first[k], second[k])
             except REFUSALS:
                 continue
-            normal[k], first[k], second[k] = answer.normal, answer.first, answer.second
         return found
 
     def made(self, a: Shape, b: Shape) -> Pair | None:

@@ -25,6 +25,16 @@ def joined(a: Pairs, b: Pairs) -> Pairs:
     )
 
 
+def some(pairs: Pairs, rows: Indices) -> Pairs:
+    """Return some of the rows."""
+    return Pairs(*(column[rows] for column in pairs))
+
+
+def ungrazed(pairs: Pairs) -> Pairs:
+    """Return pairs of which only contacts are wanted."""
+    return pairs._replace(grazes=np.zeros(len(pairs.first), dtype=np.bool_))
+
+
 def narrowed(
     pairs: Pairs, rows: Indices, interval: tuple[float, float], tolerance: Array, group: int
 ) -> tuple[Pairs, Indices]:

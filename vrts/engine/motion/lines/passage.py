@@ -94,6 +94,21 @@ def fastest_joint(
     return shares.index(most), most
 
 
+def too_fast(arm: Arm, before: Configuration, after: Configuration, step_s: float) -> bool:
+    """Return whether any joint turns faster than its limit: asked at every set point."""
+    a1, a2, a3, a4, a5, a6 = before
+    b1, b2, b3, b4, b5, b6 = after
+    s1, s2, s3, s4, s5, s6 = arm.speed
+    return not (
+        abs(b1 - a1) <= s1 * step_s
+        and abs(b2 - a2) <= s2 * step_s
+        and abs(b3 - a3) <= s3 * step_s
+        and abs(b4 - a4) <= s4 * step_s
+        and abs(b5 - a5) <= s5 * step_s
+        and abs(b6 - a6) <= s6 * step_s
+    )
+
+
 def _by_singularity(arm: Arm, before: Stand, after: Stand, joint: int) -> bool:
     """Return whether a joint is too fast because of the direction in which the hand hardly moves.
 

@@ -26,8 +26,8 @@ from vrts.engine.motion.lines.passage import (
     Stand,
     crossing,
     farthest_out,
-    fastest_joint,
     passage,
+    too_fast,
     turned,
 )
 from vrts.engine.motion.lines.path import Course, LinePath
@@ -134,8 +134,8 @@ def follow(
             rotation, carried = multiply(same, X_TF.rotation), rotate(same, lever)
         X_BF = Pose(rotation, add(carried, X_BT.translation))
         found = track(free, X_BF, branch, q)
-        before = Stand(times[k - 1], q, branch)
-        if found is None or fastest_joint(arm, q, found[0], times[k] - before.time_s)[1] > 1.0:
+        if found is None or too_fast(arm, q, found[0], times[k] - times[k - 1]):
+            before = Stand(times[k - 1], q, branch)
             way = passage(free, flange, before, times[k])
             if way.lost_s is not None:
                 return stopped(_lost(free, flange, times, k, way))
@@ -147,6 +147,7 @@ def follow(
         point = following if offset is None else _plus(following, offset(times[k]).q)
         violations = limit_violations(arm, point)
         if violations:
+            before = Stand(times[k - 1], q, branch)
             met_s = crossing(arm, flange, before, times[k], added)
             joint, _, *limits = violations[0]
             reached = Stand(times[k], following, branch_there)
