@@ -1775,7 +1775,7 @@ PATCHES: tuple[Patch, ...] = (
     Patch(
         "the hint at a missing stop is not tried",
         "vrts/check/collision/corner_hint.py",
-        "if report.contacts[number][:2] not in touching",
+        "if report.contacts[number][:2] not in left",
         "if number >= 0",
         ("tests/unit/check/collision/test_corner_hint.py",),
     ),

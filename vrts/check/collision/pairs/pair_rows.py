@@ -27,7 +27,16 @@ def joined(a: Pairs, b: Pairs) -> Pairs:
 
 def some(pairs: Pairs, rows: Indices) -> Pairs:
     """Return some of the rows."""
-    return Pairs(*(column[rows] for column in pairs))
+    return Pairs(
+        pairs.first[rows],
+        pairs.second[rows],
+        pairs.start_s[rows],
+        pairs.end_s[rows],
+        pairs.tolerance[rows],
+        pairs.grazes[rows],
+        pairs.counts[rows],
+        pairs.group[rows],
+    )
 
 
 def ungrazed(pairs: Pairs) -> Pairs:
