@@ -54,7 +54,7 @@ WISHES = {
     "... on an argument": Breakpoint(1, "main.v2", 9, condition="a == 100000"),
     "... on a signal": Breakpoint(1, "main.v2", 3, condition="SIG(3) OR n == 100000"),
     "... on a timer and a place": Breakpoint(
-        1, "main.v2", 3, condition="TIMER(1) > 1E6 OR DISTANCE(HERE, NULL) < 0 OR HAND < 0"
+        1, "main.v2", 3, condition="HAND+TIMER(1)+DISTANCE(HERE, NULL) < 0"
     ),
     "... never true": Breakpoint(1, "main.v2", 3, condition="n < 0"),
     "hits": Breakpoint(1, "main.v2", 3, hits="100000"),
