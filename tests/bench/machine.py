@@ -11,15 +11,6 @@ import psutil
 
 PERIOD = 0.020  # [s] between wake-ups
 TICKS = os.sysconf("SC_CLK_TCK")
-USUAL_LOOP_S = 0.55  # [s] that the machine takes for which figures are meant
-
-
-def loop_s() -> float:
-    """Return what ten million small multiplications take of the processor now [s]."""
-    began = time.process_time()
-    for k in range(10_000_000):
-        _ = k * k
-    return time.process_time() - began
 
 
 class Lateness(NamedTuple):

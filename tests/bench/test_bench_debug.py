@@ -5,6 +5,7 @@
 
 from time import process_time
 
+from tests.bench.usual import slowness
 from tests.support_programs import compiled, robot_alone
 from vrts.debug.breakpoints import Breakpoint, Watch
 from vrts.debug.debugger import Debugger, Stop, Way, Why
@@ -46,7 +47,6 @@ QUESTIONS = (
     "calls where depth > 1 and took >= 0 by took down",
     'calls where arguments ~ "a = 777"',
 )
-USUAL = 0.55  # [s] that ten million multiplications take on a usual machine
 WISHES = {
     "a condition on a real": Breakpoint(1, "main.v2", 3, condition="n == 100000"),
     "... with arithmetic": Breakpoint(1, "main.v2", 4, condition="INT(x)+1 == 50001 AND n > 5"),
@@ -64,14 +64,6 @@ WISHES = {
 }
 
 
-def how_slow() -> float:
-    """Return how many times longer this machine takes than a usual one, just now."""
-    before = process_time()
-    for i in range(10_000_000):
-        _ = i * i
-    return (process_time() - before) / USUAL
-
-
 def spent(d: Debugger) -> tuple[float, Stop]:
     before = process_time()
     stop = d.go_on()
@@ -87,7 +79,7 @@ def test_conditions_on_a_hundred_thousand_passes() -> None:
             d.wishes.watches = [wish]
         else:
             d.wishes.lines = [wish]
-        slow = how_slow()
+        slow = slowness()
         first, stop = spent(d)
         d.restart()
         again, _ = spent(d)

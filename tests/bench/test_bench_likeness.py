@@ -25,7 +25,7 @@ from time import monotonic
 
 import pytest
 
-from tests.bench.machine import USUAL_LOOP_S, loop_s
+from tests.bench.usual import slowness
 from tests.support_likeness.classes import Class, honest, with_copies
 from tests.support_likeness.copying.copies import CHAIN, COMBINED, EARLIER, KINDS, SINGLE, WITHIN
 from tests.support_likeness.foreign import alike, missing
@@ -54,10 +54,10 @@ def case(job: str, seed: str, *, deep: bool = False) -> Class:
 
 def took(found: Alike) -> str:
     """Return what likeness alone took."""
-    usual = found.processor_s * USUAL_LOOP_S / loop_s()
+    usual = found.processor_s / slowness()
     return (
-        f"{found.wall_s:.1f} s, of processors {found.processor_s:.1f} s (on a machine that squares"
-        f" ten million numbers in {USUAL_LOOP_S} s: {usual:.1f} s)"
+        f"{found.wall_s:.1f} s, of processors {found.processor_s:.1f} s"
+        f" ({usual:.1f} s on a usual machine)"
     )
 
 
