@@ -75,7 +75,7 @@ def moved(datum: Datum, point_mm: Vector) -> Moved:
     Raises:
         CannotMove: The line is not written in plain numbers, or the point is out of all bounds.
     """
-    before = pose_at(datum, point_mm)
+    after = pose_at(datum, point_mm)
     assert isinstance(datum.value, Pose)
     if not all(abs(x) <= MOST_MM for x in point_mm):
         raise CannotMove("that is too far away for any arm")
@@ -87,7 +87,7 @@ def moved(datum: Datum, point_mm: Vector) -> Moved:
     decimals = max(_FEWEST, *(len(m[0].partition(".")[2]) for m in spots))
     changes: list[Change] = []
     written: list[str] = []
-    for spot, old, new in zip(spots, datum.value.translation, before.translation, strict=True):
+    for spot, old, new in zip(spots, datum.value.translation, after.translation, strict=True):
         number = f"{round(mm(new), decimals) + 0.0:.{decimals}f}"
         if abs(mm(old) - float(number)) < 0.5 * 10.0**-decimals:
             written.append(spot[0])
