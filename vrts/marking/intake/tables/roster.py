@@ -128,7 +128,8 @@ def _moodle(
         full = cells[1] if named else ""
         student = Student(full or cells[0], email, ids={Platform.MOODLE.value: found[1]})
         time = None
-        if any(map(_DRAFT.match, cells[1:])):  # its time is not that of a hand-in
+        told = (cell for cell in cells[1 + named :] if cell and not _ADDRESS.match(cell))
+        if _DRAFT.match(next(told, "")):  # the status; the time is not that of a hand-in
             drafts.append(f"`{student.name}`")
         elif times is not None and times < len(cells) and zone is not None:
             time = local_time(cells[times], zone)

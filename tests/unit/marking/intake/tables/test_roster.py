@@ -76,6 +76,14 @@ def test_a_draft_was_not_submitted_when_it_was_changed_last(status: str, tmp_pat
     assert found.remarks == ("what `w.csv` has of `Anna Berger` is a draft and was not submitted",)
 
 
+def test_a_name_or_a_comment_makes_no_draft(tmp_path: Path) -> None:
+    place = put(tmp_path / "d", {f"{ANNA}/pick.v2": PICK})
+    data = WORKSHEET.replace(b"Anna Berger", b"Draft (Anna) Berger")
+    data = data.replace(b'2026, 8:00 AM",', b'2026, 8:00 AM","Draft (see page 2)"')
+    anna, _ = take_in(place, program=None, roster=read_roster(data, "w.csv", CET)).rows
+    assert anna.received == datetime(2026, 11, 30, 23, 58, tzinfo=CET)
+
+
 def test_times_without_a_zone_do_not_count(tmp_path: Path) -> None:
     place = put(tmp_path / "d", {f"{ANNA}/pick.v2": PICK})
     found = take_in(place, program=None, roster=read_roster(WORKSHEET, "w.csv", None))
