@@ -185,7 +185,7 @@ def mark_whole_class(
     if how.only is not None:
         pass  # the table of the others stays
     elif layout is not None and key is not None:
-        write_names(layout, written)
+        write_names(layout.staff, written)
     elif layout is not None and table != layout.intake:
         write_atomically(layout.intake, written)
     marked = tuple(rows[row.identifier] for row in found)

@@ -8,7 +8,7 @@ from vrts.check.task.manifest import sha256
 from vrts.marking.about import About
 from vrts.marking.appeals.written import Written
 from vrts.marking.intake.candidate import data_of
-from vrts.marking.intake.tables.table_text import field, read_text, table
+from vrts.marking.intake.tables.table_text import read_text, table, table_bytes
 from vrts.marking.intake.tree.opening import Unreadable, open_place
 from vrts.marking.privacy.pseudonyms import read_names
 from vrts.marking.row import Row
@@ -76,8 +76,7 @@ def intake_row(written: Written, row: Row) -> bytes | None:
     mine = [line for line in lines[1:] if len(line) > at and line[at].strip() == row.id]
     if not mine:
         return None
-    rows = [lines[0], mine[0]]
-    return "".join(f"{','.join(map(field, line))}\r\n" for line in rows).encode("utf-8-sig")
+    return table_bytes((lines[0], mine[0]))
 
 
 def _place(about: About, download: Path | None) -> Path | Sequence[Path]:

@@ -7,7 +7,7 @@ is a pseudonym already stays as it is.
 import re
 from collections.abc import Iterable, Mapping, Sequence
 
-from vrts.marking.intake.tables.table_text import BOM, field
+from vrts.marking.intake.tables.table_text import table_bytes
 from vrts.marking.layout import COMPARED, Layout
 from vrts.marking.privacy.pseudonyms import (
     COLUMN,
@@ -15,9 +15,8 @@ from vrts.marking.privacy.pseudonyms import (
     KEY,
     LENGTH,
     LETTERS,
-    NAMES,
     pseudonym,
-    write_private,
+    write_names,
 )
 
 _ONE = rf"[{LETTERS}]{{{GROUP}}}"
@@ -45,8 +44,4 @@ def write_others(who: Iterable[Sequence[str]], ids: Mapping[str, str], layout: L
     """
     lines = [[COLUMN, "folder", "id"]]
     lines += [[name, folder, ids[f"{folder}/{name}"]] for folder, name in who]
-    text = "".join(f"{','.join(map(field, line))}\r\n" for line in lines)
-    path = layout.staff / COMPARED / NAMES
-    draft = path.with_name(f"{NAMES}.part")
-    write_private(draft, BOM + text.encode())
-    draft.replace(path)
+    write_names(layout.staff / COMPARED, table_bytes(lines))

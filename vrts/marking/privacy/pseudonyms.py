@@ -21,7 +21,7 @@ from vrts.marking.about import About
 from vrts.marking.intake.candidate import data_of
 from vrts.marking.intake.row import Attempt, Kind, Problem, Row, Student
 from vrts.marking.intake.tables.intake_table import COLUMNS, write_rows
-from vrts.marking.intake.tables.table_text import BOM, Cell, field, read_text, table
+from vrts.marking.intake.tables.table_text import Cell, read_text, table, table_bytes
 from vrts.marking.intake.tree.opening import Tree
 from vrts.marking.layout import STUDENTS, Layout
 from vrts.marking.remote.names import KEPT_ENDINGS
@@ -153,12 +153,12 @@ def names_table(rows: Sequence[Row], key: bytes) -> bytes:
     whole += [
         [pseudonym(row.identifier, key), *line] for row, line in zip(rows, lines[1:], strict=True)
     ]
-    return BOM + "".join(f"{','.join(map(field, line))}\r\n" for line in whole).encode()
+    return table_bytes(whole)
 
 
-def write_names(layout: Layout, names: bytes) -> None:
-    """Write who is who, for the owner only."""
-    path = layout.staff / NAMES
+def write_names(folder: Path, names: bytes) -> None:
+    """Write who is who into a folder, for the owner only."""
+    path = folder / NAMES
     draft = path.with_name(f"{NAMES}.part")
     write_private(draft, names)
     draft.replace(path)

@@ -160,7 +160,7 @@ def test_an_ending_that_is_no_language_is_left_out(tmp_path: Path) -> None:
 def test_who_is_who_stands_in_one_table(layout: Layout) -> None:
     key = key_for(layout)
     multiline = replace(BEN, others=("otto1.v2", "otto2.v2"), student=Student("=Ben\nOtto"))
-    write_names(layout, names_table((ANNA, multiline), key))
+    write_names(layout.staff, names_table((ANNA, multiline), key))
     place = layout.staff / NAMES
     assert stat.S_IMODE(place.stat().st_mode) == 0o600
     names = read_names(layout)
@@ -184,7 +184,7 @@ def test_the_same_table_is_read_as_a_table_of_hand_ins(layout: Layout, tmp_path:
     (download / "berger.v2").write_bytes(PROGRAM)
     with open_place(tmp_path / "download") as tree:
         intake = take_in_tree(tree, program=None)
-        write_names(layout, names_table(intake.rows, key_for(layout)))
+        write_names(layout.staff, names_table(intake.rows, key_for(layout)))
         data = (layout.staff / NAMES).read_bytes()
         assert read_rows(data, NAMES, tree, intake).rows == intake.rows
 

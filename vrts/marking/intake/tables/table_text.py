@@ -1,7 +1,7 @@
 """Tables as text: cells with their places, as spreadsheets of any language save them."""
 
 import re
-from collections.abc import Collection
+from collections.abc import Collection, Iterable
 from typing import NamedTuple
 
 from vrts.base.source import SourceFile, Span
@@ -113,6 +113,11 @@ def _cell(source: SourceFile, start: int, delimiter: str) -> tuple[Cell, int]:
 def field(text: str) -> str:
     """Return a text as a field that comes back as it was, also from a spreadsheet."""
     return text_field(TEXT_MARK + text if _changed(text) else text)
+
+
+def table_bytes(rows: Iterable[Iterable[str]]) -> bytes:
+    """Return rows of texts as a file that a spreadsheet reads, and that comes back as it was."""
+    return BOM + "".join(f"{','.join(map(field, row))}\r\n" for row in rows).encode()
 
 
 def _unmarked(text: str) -> str:
