@@ -295,6 +295,21 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/marking/similarity/test_nearness.py",),
     ),
     Patch(
+        "`vrts task check` is silent where nobody knows which variants were handed out",
+        "vrts/cli/authoring/fair_check.py",
+        "    show_diagnostics(record_gone(place, assignment, handed), color)\n",
+        "",
+        ("tests/unit/cli/authoring/test_fair_check.py",),
+        thorough=True,
+    ),
+    Patch(
+        "hidden scenes stay as they are beside variants, and nobody says so",
+        "vrts/assignments/variants/of_task.py",
+        "    if base.variants:\n        raise _not_varied(variants)\n",
+        "",
+        ("tests/unit/assignments/variants/test_handed_out.py",),
+    ),
+    Patch(
         "a draft that nobody submitted is marked as handed in when it was saved",
         "vrts/marking/intake/tables/roster.py",
         '        if _DRAFT.match(next(told, "")):',
