@@ -395,7 +395,7 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "what was commanded before PANIC moves the arm after it",
-        "vrts/live/front/socket.py",
+        "vrts/live/front/sockets/socket.py",
         "came.at < room.panicked",
         "came.at < 0.0",
         ("tests/unit/live/front/test_overtaking.py",),
@@ -424,7 +424,7 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "a language server outlives the editor that it helped",
-        "vrts/live/front/help_socket.py",
+        "vrts/live/front/sockets/help_socket.py",
         "await helper.end()",
         "pass",
         ("tests/unit/live/editing/test_help.py",),

@@ -15,6 +15,7 @@ from vrts.live.callers.patient import PatientProtocol
 from vrts.live.callers.pieces import InPieces
 from vrts.live.door import DoorProtocol
 from vrts.live.entrance.by_hand import supervisor_link, working_code
+from vrts.live.front.added import Adding
 from vrts.live.front.app import application
 from vrts.live.front.hop import Hop
 from vrts.live.lasting.clock import wall
@@ -53,6 +54,7 @@ def serve(
     *,
     with_code: bool = True,
     open_link: Callable[[str], None] | None = None,
+    adding: Adding | None = None,
 ) -> None:
     """Serve until interrupted.
 
@@ -63,6 +65,7 @@ def serve(
         say: Writes a line of words, `--quiet` or not: nobody comes in without them.
         with_code: Whether there is a class code.
         open_link: Takes the supervisor's link, which lets one browser in, once.
+        adding: Makes what another part of vrts adds, such as a course.
 
     Raises:
         CannotRead: The port cannot be had, another server works in the folder, or its database is
@@ -74,7 +77,16 @@ def serve(
     database = settings.folder / DATABASE
     with listener, held(settings.folder), in_one_sentence(database):
         require_whole(database)
-        _serve(listener, settings, listening, rooms, say, with_code=with_code, open_link=open_link)
+        _serve(
+            listener,
+            settings,
+            listening,
+            rooms,
+            say,
+            with_code=with_code,
+            open_link=open_link,
+            adding=adding,
+        )
 
 
 def _serve(
@@ -86,6 +98,7 @@ def _serve(
     *,
     with_code: bool,
     open_link: Callable[[str], None] | None,
+    adding: Adding | None,
 ) -> None:
     port = int(listener.getsockname()[1])
     secure = listening.certificate is not None or listening.proxy
@@ -93,7 +106,9 @@ def _serve(
     entrances = _entrances(settings, listening, port, with_code=with_code)
     public = [name for name in settings.names if name != listening.host]
     hop = Hop(public, say) if listening.proxy else None
-    app = application(settings, entrances.address, rooms, with_code=with_code, hop=hop)
+    app = application(
+        settings, entrances.address, rooms, with_code=with_code, hop=hop, adding=adding
+    )
     for line in greeting(settings, listening, entrances):
         say(line)
     if open_link is not None:

@@ -2,6 +2,7 @@
 
 import sys
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
@@ -11,10 +12,14 @@ from vrts.cli.live.ways_in import Change, change_ways_in
 from vrts.cli.shared.console import INTERRUPTED, WRONG, fail, guarded, say, warn
 from vrts.cli.shared.options import file_option, lab_option
 
+if TYPE_CHECKING:
+    from vrts.course.course import Course
+
 EPILOG = """\b
 Examples:
   vrts serve cans-on-bases
   vrts serve examples/01-cans-on-bases final-project --host 0.0.0.0 --rooms groups.txt
+  vrts serve robotics-2026 --host 0.0.0.0
   vrts serve --folder vrts-live --backup monday.sqlite
 """
 
@@ -133,7 +138,8 @@ def command(
     """Share sessions in the browser: a class works with one virtual robot together.
 
     SCENES are names or files of scenes, task files, or folders with a task. The supervisor chooses
-    among them. Students open the page and type the class code.
+    among them. Students open the page and type the class code. One folder with `course.toml` serves
+    a course: its people, its rooms, its assignments.
 
     Somebody who was sent away cannot enter that room again until the supervisor allows it. A user
     is known by the account, a guest by browser and name. A class code lets in everybody who knows
@@ -209,11 +215,21 @@ def command(
     from vrts.live.settings import Settings
     from vrts.pipeline.files import read_bytes
 
+    course = course_of(scenes, lab, rooms)
     lines = read_bytes(rooms).decode(errors="replace").splitlines() if rooms else ["Class"]
     named = tuple(line.strip() for line in lines if line.strip())
+    adding = None
+    if course is None:
+        places = places_of(scenes, lab)
+    else:
+        from vrts.course.front.served import adding as added_by
+        from vrts.course.places import places_of_course
+
+        places, named, adding = places_of_course(course), course.rooms, added_by(course)
+        no_code = no_code or not course.guests
     settings = Settings(
         folder,
-        places_of(scenes, lab),
+        places,
         names,
         students_reset=students_reset,
         idle_s=float(idle),
@@ -227,9 +243,30 @@ def command(
         say(f"note: `{name}` has variants: rooms get it as it is written, the same for all")
     listening = Listening(host, port, tls_cert, tls_key, behind_proxy)
     try:
-        serve(settings, listening, named, warn, with_code=not no_code)  # the ways in: its result
+        # its result are the ways in
+        serve(settings, listening, named, warn, with_code=not no_code, adding=adding)
     except KeyboardInterrupt:  # how it ends: no word about it
         sys.exit(INTERRUPTED)
+
+
+def course_of(scenes: tuple[str, ...], lab: Path | None, rooms: Path | None) -> "Course | None":
+    """Return the course that is to be served; None: they are scenes.
+
+    Raises:
+        CannotRead: Its file cannot be read.
+        Refused: It has errors.
+    """
+    from vrts.course.course_file import is_course, open_course
+
+    found = [name for name in scenes if is_course(Path(name))]
+    if not found:
+        return None
+    if len(scenes) > 1:
+        fail(f"`{found[0]}` is a course: it is served alone", ("it names its scenes itself",))
+    for given, option in ((lab, "--lab"), (rooms, "--rooms")):
+        if given is not None:
+            fail(f"`{option}` does not go with a course", ("write it into `course.toml`",))
+    return open_course(Path(found[0]))
 
 
 def administer(

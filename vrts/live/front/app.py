@@ -12,17 +12,18 @@ from starlette.types import ASGIApp
 from starlette.websockets import WebSocket
 
 from vrts.live.editing.seats import Seats
+from vrts.live.front.added import Adding
 from vrts.live.front.browsers import browsers_of
 from vrts.live.front.entrances import EntrancePages
 from vrts.live.front.guard import Guard, refused
-from vrts.live.front.help_socket import serve_help
 from vrts.live.front.hop import Hop
 from vrts.live.front.http import Pages
 from vrts.live.front.origin import Names
 from vrts.live.front.past import PastPages
 from vrts.live.front.program_pages import ProgramPages
-from vrts.live.front.rehearsal_socket import rehearsal_socket
-from vrts.live.front.socket import serve_socket
+from vrts.live.front.sockets.help_socket import serve_help
+from vrts.live.front.sockets.rehearsal_socket import rehearsal_socket
+from vrts.live.front.sockets.socket import serve_socket
 from vrts.live.front.static_files import StaticFiles
 from vrts.live.rehearsing.offering import Rehearsals
 from vrts.live.rooms.hub import DISK_HELP, NO_DISK, Hub
@@ -44,6 +45,7 @@ def application(
     *,
     with_code: bool,
     hop: Hop | None = None,
+    adding: Adding | None = None,
 ) -> ASGIApp:
     """Return the server's application.
 
@@ -53,6 +55,7 @@ def application(
         rooms: Names of the rooms to begin with, in the first scene, where the database has none.
         with_code: Whether there is a class code.
         hop: A proxy on this machine passes requests on.
+        adding: Makes what another part of vrts adds, such as a course.
     """
     signs = not settings.alone  # nothing is left behind of who teaches alone
     database = Database(settings.folder / DATABASE, settings.log_key, signs=signs)
@@ -65,6 +68,7 @@ def application(
     past = PastPages(hub, pages.who)
     health = HealthPage(hub)
     admin = AdminPage(hub, pages.who, health)
+    added = None if adding is None else adding(hub, sessions, pages)
 
     @asynccontextmanager
     async def lifespan(_: Starlette) -> AsyncGenerator[None, None]:
@@ -75,10 +79,14 @@ def application(
         if not hub.rooms:
             for name in rooms:
                 sessions.begin(await make_room(hub, name, settings.places[0].id))
-        hub.spawn(pulse(hub))
+        if added is not None:
+            await added.open()
+        hub.spawn(pulse(hub, added))
         gc.collect()
         gc.freeze()  # what is loaded is needed for good: no collection has to look at it again
         yield
+        if added is not None:
+            await added.close()
         seats.stop()
         await rehearsals.stop()
         sessions.stop()
@@ -137,6 +145,7 @@ def application(
             WebSocketRoute("/lsp", help_),
             WebSocketRoute("/rehearse", rehearse),
             *ProgramPages(hub, pages.who).routes(),
+            *(() if added is None else added.routes()),
         ],
     )
     return Guard(app, Names(settings.names), secure=settings.secure, hop=hop)

@@ -4,7 +4,7 @@ import asyncio
 import contextlib
 import logging
 from collections.abc import Generator
-from typing import Final
+from typing import Final, Protocol
 
 from vrts.live.lasting.clock import steady
 from vrts.live.rooms.entering import remove, send_away
@@ -47,8 +47,21 @@ class _Parts:
                 _log.exception(f"a fault in vrts, in what is done again and again: {name}")
 
 
-async def pulse(hub: Hub) -> None:
-    """Do what time alone brings about: flush slots, end turns, forget who is gone."""
+class Beats(Protocol):
+    """Something else that time brings about, about once a second."""
+
+    async def beat(self) -> None:
+        """Do it."""
+        ...
+
+
+async def pulse(hub: Hub, beside: Beats | None = None) -> None:
+    """Do what time alone brings about: flush slots, end turns, forget who is gone.
+
+    Args:
+        hub: The rooms.
+        beside: Called once a second, too.
+    """
     wall_due, parts = 0.0, _Parts()
     while not hub.stopping:
         await asyncio.sleep(PULSE)
@@ -74,6 +87,9 @@ async def pulse(hub: Hub) -> None:
                 await end_empty(hub)
             with parts.part("ways in"):
                 await hub.ways.look()
+            if beside is not None:
+                with parts.part("what is added"):
+                    await beside.beat()
 
 
 def _show_who_has_seen(hub: Hub) -> None:

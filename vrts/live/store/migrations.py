@@ -194,6 +194,46 @@ STEPS: Final = (
         text TEXT NOT NULL
     ) WITHOUT ROWID;
     """,
+    """
+    -- a course: who is on its lists, which rooms assistants lead, and what was handed in
+    CREATE TABLE person (
+        account INTEGER PRIMARY KEY REFERENCES account ON DELETE CASCADE,
+        key TEXT NOT NULL UNIQUE,
+        email TEXT NOT NULL,
+        ids TEXT NOT NULL,
+        rank TEXT NOT NULL,
+        team TEXT NOT NULL DEFAULT '',
+        subject TEXT UNIQUE,
+        listed INTEGER NOT NULL DEFAULT 1
+    );
+    CREATE TABLE leads (
+        account INTEGER NOT NULL REFERENCES account ON DELETE CASCADE,
+        room TEXT NOT NULL,
+        PRIMARY KEY (account, room)
+    ) WITHOUT ROWID;
+    CREATE TABLE attempt (
+        account INTEGER NOT NULL REFERENCES account ON DELETE CASCADE,
+        assignment TEXT NOT NULL,
+        number INTEGER NOT NULL,
+        at REAL NOT NULL,
+        by INTEGER,
+        digest TEXT NOT NULL,
+        state TEXT NOT NULL,
+        mark TEXT,
+        total TEXT,
+        late TEXT NOT NULL DEFAULT '',
+        causes TEXT NOT NULL DEFAULT '[]',
+        PRIMARY KEY (account, assignment, number)
+    ) WITHOUT ROWID;
+    CREATE INDEX attempt_of ON attempt (assignment);
+    CREATE TABLE own_room (
+        room TEXT PRIMARY KEY,
+        owner INTEGER REFERENCES account ON DELETE SET NULL,
+        team TEXT NOT NULL DEFAULT '',
+        assignment TEXT NOT NULL DEFAULT ''
+    ) WITHOUT ROWID;
+    CREATE INDEX own_room_of ON own_room (owner);
+    """,
 )
 
 

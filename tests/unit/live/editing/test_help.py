@@ -16,7 +16,7 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 from tests.support_live import PATIENCE, LiveServer
 from tests.unit.live.editing.support import Editor, gone, helpers, link
 from vrts.live.editing.seats import QUIET_S, Seats
-from vrts.live.front.help_socket import MOST_BAD
+from vrts.live.front.sockets.help_socket import MOST_BAD
 
 pytest.importorskip("pygls", reason='needs pip install "vrts[ide]"')
 

@@ -9,7 +9,7 @@ import pytest
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 
 from tests.support_live import LiveServer
-from vrts.live.front.socket import MOST_BAD
+from vrts.live.front.sockets.socket import MOST_BAD
 from vrts.live.limits import EXCESS
 from vrts.live.protocol.fields import LONGEST_CHAT, LONGEST_MESSAGE
 from vrts.live.settings import DATABASE

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.support_live import LiveServer
-from vrts.live.front.socket import LONGEST_WAITING, STOPPED, TOO_MANY
+from vrts.live.front.sockets.socket import LONGEST_WAITING, STOPPED, TOO_MANY
 from vrts.live.settings import DATABASE
 from vrts.live.store.database import opened
 

@@ -1,0 +1,53 @@
+"""A course beside the live server: its parts put together, each with pages of its own."""
+
+from collections.abc import Sequence
+
+from starlette.routing import BaseRoute
+
+from vrts.course.course import Course
+from vrts.course.front.course_pages import CoursePages
+from vrts.live.front.added import Added, Adding
+from vrts.live.front.http import Pages
+from vrts.live.rooms.hub import Hub
+from vrts.live.rooms.sessions import Sessions
+
+
+class ServedCourse:
+    """Everything that a course adds to a server."""
+
+    def __init__(self, parts: Sequence[Added]) -> None:
+        """Put parts together; they begin in this order, and end in the other."""
+        self._parts = tuple(parts)
+
+    def routes(self) -> list[BaseRoute]:
+        """Return the pages of all parts."""
+        return [route for part in self._parts for route in part.routes()]
+
+    async def open(self) -> None:
+        """Begin."""
+        for part in self._parts:
+            await part.open()
+
+    async def beat(self) -> None:
+        """Do what time brings about."""
+        for part in self._parts:
+            await part.beat()
+
+    async def close(self) -> None:
+        """End."""
+        for part in reversed(self._parts):
+            await part.close()
+
+
+def adding(course: Course) -> Adding:
+    """Return what makes a course a part of a server."""
+
+    def add(hub: Hub, sessions: Sessions, pages: Pages) -> Added:
+        return ServedCourse(_parts(course, hub, sessions, pages))
+
+    return add
+
+
+def _parts(course: Course, hub: Hub, sessions: Sessions, pages: Pages) -> tuple[Added, ...]:
+    """Return the parts of a course in the order in which they begin."""
+    return (CoursePages(course, hub, pages),)
