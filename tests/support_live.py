@@ -13,6 +13,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any
 
+import psutil
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Origin
@@ -135,6 +136,21 @@ class Browser:
         message: Json = json.loads(data)
         self.came.append(message)
         return message
+
+
+def session_processes(server: int) -> list[psutil.Process]:
+    """Return the processes of the sessions of a server, which is told by its process id."""
+    found: list[psutil.Process] = []
+    for child in psutil.Process(server).children():
+        try:
+            words = child.cmdline()
+            if "vrts.live.nursery" in words:  # of which sessions are forks
+                found += child.children()
+            elif "vrts.live.session" in words:
+                found.append(child)
+        except (psutil.NoSuchProcess, psutil.ZombieProcess):
+            continue  # gone meanwhile
+    return found
 
 
 def alone(*words: str, module: str = "vrts.cli.main") -> subprocess.Popen[str]:

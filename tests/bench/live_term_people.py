@@ -14,7 +14,7 @@ import psutil
 from websockets.exceptions import ConnectionClosed
 
 from tests.bench.live_hours import Ahead
-from tests.support_live import Browser, Json, LiveServer
+from tests.support_live import Browser, Json, LiveServer, session_processes
 from tests.unit.live.editing.support import Editor, link
 
 GIVEN: Final = (
@@ -235,7 +235,7 @@ class Class:
 def sessions_of(server: LiveServer) -> dict[str, psutil.Process]:
     """Return the processes of a server's sessions, by room."""
     found: dict[str, psutil.Process] = {}
-    for child in psutil.Process(server.process.pid).children():
+    for child in session_processes(server.process.pid):
         try:
             errors = os.readlink(f"/proc/{child.pid}/fd/2")
         except OSError:

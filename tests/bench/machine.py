@@ -9,6 +9,8 @@ from typing import NamedTuple
 
 import psutil
 
+from tests.support_live import session_processes
+
 PERIOD = 0.020  # [s] between wake-ups
 TICKS = os.sysconf("SC_CLK_TCK")
 
@@ -79,7 +81,7 @@ def used(server: psutil.Process) -> Used:
     """Return what was used so far."""
     own = server.cpu_times()
     sessions = 0.0
-    for child in server.children():
+    for child in session_processes(server.pid):
         times = child.cpu_times()
         sessions += times.user + times.system + times.children_user + times.children_system
     words = Path("/proc/stat").read_text().splitlines()[0].split()[1:]

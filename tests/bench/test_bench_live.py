@@ -23,6 +23,7 @@ import pytest
 from tests.bench.live_stage import Operator, Stage
 from tests.bench.live_viewers import Plan, Seen
 from tests.bench.machine import Metronome, used
+from tests.support_live import session_processes
 from vrts.live.session.views.frame import unpacked
 
 SECONDS = 15.0
@@ -81,7 +82,7 @@ def test_viewers(tmp_path: Path, rooms: int, count: int) -> None:
         spent = used(stage.process).since(begin)
         meanwhile = metronome.so_far()
         others = spent.all - spent.server - spent.sessions - seen.used_s / spent.at_s
-        sizes = [child.memory_info().rss / 1e6 for child in stage.process.children()]
+        sizes = [one.memory_info().rss / 1e6 for one in session_processes(stage.process.pid)]
         own = stage.process.memory_info().rss / 1e6
         aims = AIMS[count]
         holds = (

@@ -13,6 +13,7 @@ from pathlib import Path
 from tests.bench.live_stage import Stage
 from tests.bench.machine import used
 from tests.bench.test_bench_live import Viewers, words
+from tests.support_live import session_processes
 
 SECONDS = float(os.environ.get("VRTS_SOAK_S", "300"))
 PAUSE = 30.0  # [s] between looks
@@ -39,7 +40,7 @@ def test_memory_of_five_minutes(tmp_path: Path) -> None:
         link.command(operator.lease, "line", line="DO n = 0")
         link.command(operator.lease, "line", line="EXECUTE loop,-1")
         viewers = Viewers(stage, VIEWERS, SECONDS)
-        (session,) = stage.process.children()
+        (session,) = session_processes(stage.process.pid)
         looks: list[tuple[float, float, float]] = []
         began_s = time.monotonic()
         begin = used(stage.process)

@@ -2299,6 +2299,13 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/live/rooms/test_room.py",),
     ),
     Patch(
+        "a session begins in a scene as it was before its file was changed",
+        "vrts/live/nursery/kept.py",
+        "if _seen(found.folders) != found.seen:",
+        "if found.seen is None:",
+        ("tests/unit/live/nursery/test_nursery.py",),
+    ),
+    Patch(
         "poses of a session that were not read in time are all sent",
         "vrts/live/rooms/process.py",
         "elif number == poses[-1]:",

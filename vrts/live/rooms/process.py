@@ -1,17 +1,18 @@
 """The process of one session, as the server sees it: started, fed, read, ended."""
 
 import asyncio
-import os
 import signal
 import sys
 import time
 from collections.abc import Callable
 from pathlib import Path
-from typing import Final
+from typing import IO, Final
 
 import msgspec
 
 from vrts.live.actions import Action, Number
+from vrts.live.nursery.forked import Forked
+from vrts.live.nursery.nursery import Nursery, environment
 from vrts.live.session.channel.messages import (
     LENGTH,
     Act,
@@ -68,17 +69,25 @@ _encode = msgspec.json.Encoder().encode
 
 OnPose = Callable[[bytes], None]
 OnMessage = Callable[[Head, bytes], None]
+_Process = asyncio.subprocess.Process | Forked
 
 
 class SessionProcess:
-    """Owns a subprocess that runs `vrts.live.session`."""
+    """Owns a process that runs `vrts.live.session`."""
 
-    def __init__(self, start: Start, on_pose: OnPose, on_message: OnMessage) -> None:
-        """Say what the session is about and who is told what it says."""
+    def __init__(
+        self,
+        start: Start,
+        on_pose: OnPose,
+        on_message: OnMessage,
+        nursery: Nursery | None = None,
+    ) -> None:
+        """Say what the session is about, who is told what it says, and who forks its process."""
         self.start = start
         self._on_pose = on_pose
         self._on_message = on_message
-        self._process: asyncio.subprocess.Process | None = None
+        self._nursery = nursery
+        self._process: _Process | None = None
         self._epoch = 0.0
         self._ref = 0
         self.ready = False
@@ -96,16 +105,7 @@ class SessionProcess:
         folder = Path(self.start.folder)
         folder.mkdir(mode=0o700, parents=True, exist_ok=True)
         with (folder / "stderr.txt").open("ab") as errors:
-            self._process = await asyncio.create_subprocess_exec(
-                sys.executable,
-                "-m",
-                "vrts.live.session",
-                stdin=asyncio.subprocess.PIPE,
-                stdout=asyncio.subprocess.PIPE,
-                stderr=errors,
-                env=_environment(),
-                start_new_session=True,  # Ctrl-C is for the server, which ends its sessions
-            )
+            self._process = await self._begun(errors)
         try:
             if not self._stopped:  # while it was started
                 self._send(self.start)
@@ -185,6 +185,11 @@ class SessionProcess:
             self._send(Stop())
             self._process.stdin.close()
 
+    @property
+    def pid(self) -> int | None:
+        """Number of its process; None: there was none yet."""
+        return None if self._process is None else self._process.pid
+
     def went_on_s(self) -> float:
         """Return for how long it has been ready [s]."""
         return time.monotonic() - self._ready_at if self._ready_at else 0.0
@@ -198,7 +203,22 @@ class SessionProcess:
         if pipe is not None and not pipe.is_closing():
             pipe.write(_encode(order) + b"\n")
 
-    async def _read(self, process: asyncio.subprocess.Process) -> None:
+    async def _begun(self, errors: IO[bytes]) -> _Process:
+        """Return its process: forked from one that has loaded everything, if that is possible."""
+        nursery = self._nursery
+        forked = None if nursery is None else await nursery.fork(self.start, errors.fileno())
+        return forked or await asyncio.create_subprocess_exec(
+            sys.executable,
+            "-m",
+            "vrts.live.session",
+            stdin=asyncio.subprocess.PIPE,
+            stdout=asyncio.subprocess.PIPE,
+            stderr=errors,
+            env=environment(),
+            start_new_session=True,  # Ctrl-C is for the server, which ends its sessions
+        )
+
+    async def _read(self, process: _Process) -> None:
         assert process.stdout is not None
         begun = bytearray()
         try:
@@ -224,6 +244,8 @@ class SessionProcess:
             self.scene = bytes(head.scene)
             self.ready = True
             self._ready_at = time.monotonic()
+            if self._nursery is not None:
+                self._nursery.keep(self.start)
         elif head.type == "failed":
             self.failure = head.text
         elif head.type == "left":
@@ -249,15 +271,17 @@ class SessionProcess:
         except TimeoutError:
             process.kill()
             await process.wait()
-        self.failure = self.failure or _ending(process.returncode or 0)
+        self.failure = self.failure or _ending(process.returncode)
 
 
 class _BadLength(Exception):  # noqa: N818 -- names the situation
     """What comes is no message."""
 
 
-def _ending(status: int) -> str:
-    """Return in words how a process ended."""
+def _ending(status: int | None) -> str:
+    """Return in words how a process ended; None: nobody knows."""
+    if status is None:
+        return "its process ended"
     if status >= 0:
         return f"its process ended with status {status}"
     known = {int(one): one.name for one in signal.Signals}
@@ -283,10 +307,3 @@ def _whole(begun: bytearray) -> list[bytes]:
         at = end
     del begun[:at]
     return found
-
-
-def _environment() -> dict[str, str]:
-    """Return the environment without what is not needed; numbers are crunched by one thread."""
-    kept = ("PATH", "HOME", "LANG", "LC_ALL", "PYTHONPATH", "VIRTUAL_ENV", "TMPDIR", "SYSTEMROOT")
-    own = {name: os.environ[name] for name in kept if name in os.environ}
-    return {**own, "OPENBLAS_NUM_THREADS": "1", "PYTHONUNBUFFERED": "1"}

@@ -14,6 +14,7 @@ from vrts import __version__
 from vrts.live.logs.logged_sessions import JUMPS, LogFault
 from vrts.live.logs.unfinished import Unfinished, unfinished
 from vrts.live.notices.stopping import is_panic, moves
+from vrts.live.nursery.nursery import Nursery
 from vrts.live.protocol.coding import encode
 from vrts.live.protocol.from_server import (
     Happened,
@@ -70,6 +71,7 @@ class Sessions:
         self._hub = hub
         self._starting = asyncio.Semaphore(STARTING)
         self._folder = hub.settings.folder / SESSIONS
+        self._nursery = Nursery()
 
     def begin(self, room: Room) -> None:
         """Keep a session going in a room until it is closed: as its log says, or a new one."""
@@ -78,6 +80,8 @@ class Sessions:
 
     def stop(self) -> None:
         """Have no room wait for its supervisor any more: the server ends."""
+        self._nursery.stop()
+        self._hub.spawn(self._nursery.ended())
         for room in self._hub.rooms.values():
             room.wake.set()
 
@@ -216,7 +220,7 @@ class Sessions:
         room.recorded = Counter(counts if before is not None else {})
         if before is not None:
             start = await asyncio.to_thread(_with_before, start, folder / BEFORE, before)
-        process = SessionProcess(start, on_pose, on_message)
+        process = SessionProcess(start, on_pose, on_message, self._nursery)
         await self._starting.acquire()
         try:
             room.process = process

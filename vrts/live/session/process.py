@@ -35,16 +35,16 @@ from vrts.live.session.channel.messages import (
 from vrts.live.session.channel.outbox import Outbox, ServerGone
 from vrts.live.session.growing.folder import empty
 from vrts.live.session.growing.tidying import Tidying
+from vrts.live.session.known import Known, read
 from vrts.live.session.live_session import Session
 from vrts.live.session.looking.looker import Looker
-from vrts.live.session.marks.checker import Checker, warm_up
-from vrts.live.session.setting import scene_sha256, setting_of
+from vrts.live.session.marks.checker import Checker
+from vrts.live.session.setting import scene_sha256
 from vrts.live.session.ways.ways import Ways
 from vrts.marking.supervise.limits import Limits, impose
 from vrts.pipeline.files import CannotRead
 from vrts.pipeline.refused import Refused
 from vrts.pipeline.setting import Setting
-from vrts.report.page.viewer_data import scene_data
 
 FIRST = 30.0  # [s] within which the first order has to come
 LIMITS = Limits(cpu_s=12 * 3600, memory=1_000_000_000)
@@ -54,11 +54,23 @@ NO_MEMORY, CANNOT_BEGIN, SERVER_GONE, UNREADABLE = 71, 1, 74, 76  # exit statuse
 Clock = Callable[[], float]
 
 
-def serve(descriptor_in: int, descriptor_out: int, clock: Clock = time.monotonic) -> int:
-    """Be the process of a session until it is told to stop; return the exit status."""
+def serve(
+    descriptor_in: int,
+    descriptor_out: int,
+    clock: Clock = time.monotonic,
+    known: Known | None = None,
+) -> int:
+    """Be the process of a session until it is told to stop; return the exit status.
+
+    Args:
+        descriptor_in: Where orders come from.
+        descriptor_out: Where messages go.
+        clock: Only goes forward [s].
+        known: The scene and task that it will be told, if they are read already.
+    """
     inbox, outbox = Inbox(descriptor_in), Outbox(descriptor_out)
     try:
-        return _serve(inbox, outbox, descriptor_in, clock)
+        return _serve(inbox, outbox, descriptor_in, clock, known)
     except ServerGone:
         return SERVER_GONE
     except Unreadable as problem:
@@ -67,22 +79,20 @@ def serve(descriptor_in: int, descriptor_out: int, clock: Clock = time.monotonic
         return _failed(outbox, "the session needs more memory than it may use", NO_MEMORY)
 
 
-def _serve(inbox: Inbox, outbox: Outbox, readable: int, clock: Clock) -> int:
+def _serve(inbox: Inbox, outbox: Outbox, readable: int, clock: Clock, known: Known | None) -> int:
     select.select([readable], [], [], FIRST)
     orders = inbox.orders()
     start = orders.pop(0) if orders else None
     if not isinstance(start, Start):
         return _failed(outbox, "the first order is to be `start`", UNREADABLE)
     try:
-        setting = setting_of(start)
+        setting, scene = known or read(start)
     except CannotRead as problem:
         return _failed(outbox, problem.message, CANNOT_BEGIN)
     except Refused as refused:
         headlines = [found.headline for found in refused.diagnostics if found.is_error]
         return _failed(outbox, "; ".join(headlines[:3]), CANNOT_BEGIN)
-    scene = scene_data(setting.scene, setting.task)
     impose(replace(LIMITS, file=max(LIMITS.file, start.history) + MARGIN))
-    warm_up(setting)
     try:
         session, anew = _begun(start, setting, scene, outbox, readable, clock)
     except Interrupted:

@@ -6,7 +6,7 @@ from pathlib import Path
 import psutil
 import pytest
 
-from tests.support_live import PATIENCE, Browser, Json, LiveServer
+from tests.support_live import PATIENCE, Browser, Json, LiveServer, session_processes
 from vrts.live.logs.log_file import read_log
 from vrts.live.logs.logged_sessions import LogRow, sessions_of
 from vrts.live.rooms.again.deaths import MOST, WELL_S, Deaths
@@ -36,7 +36,7 @@ def session_of(server: LiveServer, *, other_than: int = 0) -> psutil.Process:
     """Return the process of the only session."""
     until = time.monotonic() + PATIENCE
     while time.monotonic() < until:
-        for child in psutil.Process(server.process.pid).children():
+        for child in session_processes(server.process.pid):
             if child.pid != other_than and child.status() != psutil.STATUS_ZOMBIE:
                 return child
         time.sleep(0.005)
