@@ -3,7 +3,9 @@
 import asyncio
 import json
 import os
+import select
 import shutil
+import signal
 from collections.abc import Callable, Coroutine
 from pathlib import Path
 from typing import Any
@@ -65,9 +67,11 @@ def with_nursery(work: Callable[[Nursery], Coroutine[Any, Any, None]]) -> None:
     asyncio.run(all_of_it())
 
 
-async def until_gone(process: psutil.Process) -> None:
-    """Wait until a process has ended."""
-    await asyncio.to_thread(psutil.wait_procs, [process], PATIENCE_S)
+async def until_gone(pid: int) -> None:
+    """Wait until a process has ended; asyncio asks how."""
+    ends = os.pidfd_open(pid)
+    await asyncio.to_thread(select.select, [ends], [], [], PATIENCE_S)
+    os.close(ends)
 
 
 def test_sessions_are_forked_and_end_as_processes_of_their_own(
@@ -100,13 +104,13 @@ def test_sessions_are_forked_and_end_as_processes_of_their_own(
         assert await third.end() == "its process ended with status 0"
 
         assert nursery.pid is not None
-        before = psutil.Process(nursery.pid)
-        before.kill()
+        before = nursery.pid
+        os.kill(before, signal.SIGKILL)
         await until_gone(before)
         assert first.session.ready
         fourth = Begun(tmp_path / "fourth", nursery, str(scene))
         await fourth.begin()
-        assert nursery.pid != before.pid, "another one has begun"
+        assert nursery.pid != before, "another one has begun"
         process.kill()
         assert await first.end() == "its process ended", "nobody can tell how"
         fourth.session.stop()
