@@ -54,7 +54,7 @@ def hashed(password: str) -> str:
 
 
 def _right(password: str, kept: str | None) -> bool:
-    if kept is None:
+    if not kept:  # nobody has the name, or they have not chosen a password yet
         PasswordHasher().hash(password)
         return False
     try:

@@ -6,6 +6,8 @@ from starlette.routing import BaseRoute
 
 from vrts.course.course import Course
 from vrts.course.front.course_pages import CoursePages
+from vrts.course.front.people_pages import PeoplePages
+from vrts.course.people.watching import WatchedPeople
 from vrts.live.front.added import Added, Adding
 from vrts.live.front.http import Pages
 from vrts.live.rooms.hub import Hub
@@ -50,4 +52,5 @@ def adding(course: Course) -> Adding:
 
 def _parts(course: Course, hub: Hub, sessions: Sessions, pages: Pages) -> tuple[Added, ...]:
     """Return the parts of a course in the order in which they begin."""
-    return (CoursePages(course, hub, pages),)
+    people = PeoplePages(WatchedPeople(course, hub), hub, pages)
+    return (people, CoursePages(course, hub, pages))

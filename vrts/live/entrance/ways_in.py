@@ -52,7 +52,7 @@ class WaysIn:
         self.changed: Callable[[], None] = _nothing  # is called when the code is another one
         self._folder = folder
         self._database = database
-        self._address = address
+        self.address = address
         self._has_code = has_code
         self._ahead = 0
         self._kept = ""  # the code that the database knows
@@ -73,7 +73,7 @@ class WaysIn:
     def url(self, token: str = "") -> str:
         """Return the address that lets in by a token, without one by the code."""
         found = token or self.code.text
-        return f"{self._address}/#enter={found}" if found else ""
+        return f"{self.address}/#enter={found}" if found else ""
 
     # --- guesses ---------------------------------------------------------------------------------
 

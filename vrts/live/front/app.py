@@ -125,6 +125,7 @@ def application(
         routes=[
             Route("/", pages.page),
             Route("/web/{path:path}", pages.file),
+            Route("/door", entrances.door),
             Route("/enter", entrances.enter, methods=["POST"]),
             Route("/login", entrances.login, methods=["POST"]),
             Route("/logout", pages.logout, methods=["POST"]),

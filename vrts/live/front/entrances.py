@@ -32,9 +32,12 @@ from vrts.live.rooms.hub import Hub
 from vrts.live.store import accounts, guests
 from vrts.live.store.accounts import Account
 from vrts.live.store.bars import Inherited, inherit, use_browser
+from vrts.live.store.course.people import name_of
 from vrts.live.store.database import Connection
 from vrts.live.tokens import digest, is_code
 
+NO_GUESTS: Final = (403, "guests", "only who is on the list comes in here", "log in instead")
+LEFT: Final = (403, "left", "you are not on the list of this course any more", "ask your teacher")
 NOT_ALLOWED: Final = (403, "role", "only a supervisor may do this")
 
 
@@ -56,6 +59,8 @@ class EntrancePages:
             guess = await hub.ways.guess(body.code)
             if guess is not Guess.RIGHT:
                 return self._no_way(guess)
+        if not hub.how_in.guests and not await self._supervisors(body.code, now):
+            return refused(*NO_GUESTS)
         token = request.cookies.get(hub.settings.cookie, "")[:LONGEST_TOKEN]
         browser = browser_token(request.cookies, hub.settings)
         here = {member.account.id for member in hub.everybody()}
@@ -89,6 +94,11 @@ class EntrancePages:
             self._entered(account, _address(request))
         return self._pages.logged_in(account, fresh, browser)
 
+    async def door(self, request: Request) -> Response:
+        """Tell anybody how people come in here."""
+        del request
+        return as_json(self._hub.how_in)
+
     async def login(self, request: Request) -> Response:
         """Let somebody in who has a local account."""
         hub, now = self._hub, wall()
@@ -99,7 +109,7 @@ class EntrancePages:
         own = digest(browser)
 
         def look(connection: Connection) -> tuple[tuple[Account, str] | None, bool]:
-            found = accounts.password_of(connection, body.user)
+            found = accounts.password_of(connection, name_of(connection, body.user))
             return found, found is not None and accounts.knows(connection, found[0].id, own)
 
         found, known = await hub.database.do(look)
@@ -121,10 +131,13 @@ class EntrancePages:
         tries.right(account.id, source)
 
         def let_in(connection: Connection) -> str:
+            if accounts.account_of(connection, account.id) is None:
+                return ""
             use_browser(connection, (account.id,), own)
             return accounts.log_in(connection, account.id, now)
 
-        return self._pages.logged_in(account, await hub.database.do(let_in), browser)
+        token = await hub.database.do(let_in)
+        return self._pages.logged_in(account, token, browser) if token else refused(*LEFT)
 
     async def link(self, request: Request) -> Response:
         """Make a join link for one room, for supervisors."""
@@ -133,6 +146,8 @@ class EntrancePages:
         body = await read_body(request, MakeLink)
         if isinstance(body, Response):
             return body
+        if not self._hub.how_in.guests:
+            return refused(*NO_GUESTS)
         if body.room not in self._hub.rooms:
             return refused(404, "room", "there is no such room any more")
         return _link(await self._hub.ways.make_link(body.room))
@@ -161,6 +176,8 @@ class EntrancePages:
         ways = self._hub.ways
         if not await self._supervises(request):
             return refused(*NOT_ALLOWED)
+        if not self._hub.how_in.guests:
+            return refused(*NO_GUESTS)
         body = await read_body(request, ChangeWays)
         if isinstance(body, Response):
             return body
@@ -205,6 +222,10 @@ class EntrancePages:
                 crowd.idle,
             )
         )
+
+    async def _supervisors(self, code: str, now: float) -> bool:
+        """Return whether a link is a supervisor's."""
+        return await self._hub.database.do(lambda c: accounts.lets_supervise(c, code, now))
 
     async def _supervises(self, request: Request) -> bool:
         account = await self._pages.who(request.cookies)

@@ -47,13 +47,13 @@ class Pages:
         found = self._files.find(PAGE)
         carried = await self._carried(request)
         if carried is None or found is None:
-            return self._file(request, PAGE)
+            return self.static(request, PAGE)
         page = await asyncio.to_thread(_with, found, carried)  # others are served meanwhile
         return page.answer(request, cache="no-store")
 
     async def file(self, request: Request) -> Response:
         """Return a file of the page."""
-        return self._file(request, request.path_params["path"])
+        return self.static(request, request.path_params["path"])
 
     async def logout(self, request: Request) -> Response:
         """End the cookie, and the connections of the browser, at once."""
@@ -94,10 +94,9 @@ class Pages:
 
     async def log(self, request: Request) -> Response:
         """Return the log of a room, open or closed, to supervisors: JSON Lines."""
-        account = await self.who(request.cookies)
-        if account is None or not account.supervisor:
+        account, room = await self.who(request.cookies), request.path_params["room"]
+        if account is None or not account.leads_in(room):
             return refused(403, "role", "only a supervisor may do this")
-        room = request.path_params["room"]
         names = request.query_params.get("names", "1") != "0"
         text = await self._hub.database.do(lambda c: export(c, room, names=names))
         headers = {"content-disposition": f'attachment; filename="log-{_file_name(room)}.jsonl"'}
@@ -109,9 +108,9 @@ class Pages:
         Its code is inside it, so it is none of the pages that this server may show.
         """
         account = await self.who(request.cookies)
-        if account is None or not account.supervisor:
-            return refused(403, "role", "only a supervisor may do this")
         hub, room = self._hub, request.path_params["room"]
+        if account is None or not account.leads_in(room):
+            return refused(403, "role", "only a supervisor may do this")
         if room not in hub.rooms:
             return refused(404, "room", "there is no such room any more")
         if self._replaying.locked():
@@ -150,7 +149,8 @@ class Pages:
             return None
         return await self._hub.database.do(lambda c: accounts.who(c, token, wall()))
 
-    def _file(self, request: Request, path: str) -> Response:
+    def static(self, request: Request, path: str) -> Response:
+        """Return a file of the browser's."""
         found = self._files.find(path)
         if found is None:
             return refused(404, "file", "there is no such page")

@@ -154,7 +154,7 @@ class ProgramPages:
         if isinstance(given, Response):
             return given
         body, place = given
-        if body.shelf == "room" and not place.account.supervisor:
+        if body.shelf == "room" and not place.account.leads_in(body.room):
             words = "programs of the room are deleted by supervisors only"
             return refused(403, "role", words)
         await self._hub.database.do(lambda c: programs.remove(c, place.shelf, body.name))

@@ -15,10 +15,13 @@ from vrts.pipeline.files import CannotRead
 
 ROWS: Final = {  # which rows of a table are of somebody; `:account` and `:names` are given
     "account": "id=:account",
+    "attempt": "account=:account OR by=:account",
     "barred": "account=:account",
     "branch": "owner=:account",
     "browser": "account=:account",
     "chat": "account=:account OR reader=:account",
+    "leads": "account=:account",
+    "letter": "account=:account",
     "link": "name IN (SELECT value FROM json_each(:names)) AND NOT supervisor"
     " OR id=(SELECT link FROM account WHERE id=:account)",
     "log_name": "account=:account",
@@ -26,6 +29,8 @@ ROWS: Final = {  # which rows of a table are of somebody; `:account` and `:names
     "login": "account=:account",
     "muted": "account=:account",
     "notice": "account=:account",
+    "own_room": "owner=:account",
+    "person": "account=:account",
     "program_version": "account=:account OR shelf='own ' || :account",
 }
 SECRET: Final = frozenset(("password", "digest", "salt", "seal"))  # of no use to a person

@@ -17,10 +17,18 @@ class Enter(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class LogIn(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """`POST /login`: a local account."""
+    """`POST /login`: a local account, by its name, or by the e-mail address on a course's list."""
 
-    user: Annotated[str, Meta(min_length=1, max_length=64)]
+    user: Annotated[str, Meta(min_length=1, max_length=254)]
     password: Annotated[str, Meta(min_length=1, max_length=256)]
+
+
+class HowIn(msgspec.Struct, frozen=True):
+    """`GET /door`, to anybody: how people come in here."""
+
+    guests: bool = True  # by the class code or a link, under a name of their own
+    title: str = ""  # of the course; empty: there is none
+    provider: str = ""  # what the button of a log-in elsewhere says; empty: there is none
 
 
 class MakeLink(msgspec.Struct, frozen=True, forbid_unknown_fields=True):

@@ -75,7 +75,7 @@ def enter(
     welcome = Welcome(
         member.id,
         account.name,
-        account.supervisor,
+        member.supervisor,
         room.id,
         member.resume,
         resumed,
@@ -126,7 +126,7 @@ def settle(hub: Hub, room: Room, state: bytes) -> None:
             member.send(text_frame(encode(room.stopped)))
         all_rooms = Rooms(hub.entries(member.account), hub.projector)
         member.send(text_frame(encode(all_rooms)))
-        if member.supervisor:
+        if member.account.supervisor:
             member.send(text_frame(encode(hub.class_code())))
 
 
@@ -183,7 +183,7 @@ def make_way(hub: Hub, room: Room, account: Account, address: str = "") -> None:
     own = [member for member in hub.everybody() if member.account.id == account.id]
     if len(own) >= limits.CONNECTIONS:
         _give_up(hub, own, f"there are {len(own)} connections of this account")
-    if len(room.members) < limits.PLACES or account.supervisor:
+    if len(room.members) < limits.PLACES or account.leads_in(room.id):
         return
     away = any(m.door is None and not _keeps(hub, m) for m in room.members.values())
     if away or not _end_one(hub, dict(room.members), address):

@@ -15,6 +15,7 @@ from vrts.live.passwords import Passwords
 from vrts.live.protocol.coding import encode
 from vrts.live.protocol.from_server import Announced, Chat, ClassCode, Rooms
 from vrts.live.protocol.listed import RoomEntry
+from vrts.live.protocol.over_http import HowIn
 from vrts.live.rooms.member import Member
 from vrts.live.rooms.room import Room
 from vrts.live.settings import Settings
@@ -45,6 +46,7 @@ class Hub:
         self.database = database
         self.journal = Journal(database, self.spawn, self._disk_changed)
         self.rooms: dict[str, Room] = {}
+        self.how_in = HowIn()
         self.muted: Bars = {}  # accounts that are not heard, with the names they had then
         self.ways = WaysIn(settings.folder, database, address, has_code=with_code)
         self.ways.changed = self.code_changed
@@ -98,7 +100,7 @@ class Hub:
         """Show supervisors the class code that works now, on every wall at once."""
         frame = text_frame(encode(self.class_code()))
         for member in self.everybody():
-            if member.supervisor:
+            if member.account.supervisor:
                 member.send(frame)
 
     def show_announcement(self, *, only: Callable[[Member], bool] = lambda _: True) -> None:
@@ -112,7 +114,7 @@ class Hub:
         if self.announcement is None:
             return Announced(0)
         present = (m for m in self.everybody() if m.door is not None and not m.supervisor)
-        here = {m.account.id for m in present} if member.supervisor else None
+        here = {m.account.id for m in present} if member.account.supervisor else None
         return self.announcement.message(here)
 
     def everybody(self) -> list[Member]:
@@ -138,6 +140,6 @@ def may_enter(account: Account, room: Room) -> bool:
     """Return whether somebody may enter a room."""
     if account.id in room.barred:
         return False
-    if account.supervisor or room.is_own(account):
+    if account.leads_in(room.id) or room.is_own(account):
         return True
     return room.branch is None and account.room in (None, room.id)

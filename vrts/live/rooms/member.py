@@ -45,8 +45,8 @@ class Member:
 
     @property
     def supervisor(self) -> bool:
-        """Whether the account may supervise."""
-        return self.account.supervisor
+        """Whether they lead this room: in it they may do what a supervisor may."""
+        return self.account.leads_in(self.room)
 
     def share(self, other: "Member") -> None:
         """Share what one account may ask for with another place of it."""

@@ -96,7 +96,7 @@ def _show_who_has_seen(hub: Hub) -> None:
     """Tell supervisors how many have seen what is announced, if that has changed."""
     if hub.announcement is not None and hub.announcement.changed:
         hub.announcement.changed = False
-        hub.show_announcement(only=lambda member: member.supervisor)
+        hub.show_announcement(only=lambda member: member.account.supervisor)
 
 
 def _pulse_room(hub: Hub, room: Room, now: float) -> None:

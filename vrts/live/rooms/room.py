@@ -122,7 +122,7 @@ class Room:
         """Return whether somebody may save programs for all who are here: who may command."""
         holder = self.members.get(self.control.holder)
         operates = holder is not None and holder.account.id == account.id
-        return account.supervisor or operates or self.is_own(account)
+        return account.leads_in(self.id) or operates or self.is_own(account)
 
     @property
     def crowd(self) -> int:
@@ -297,7 +297,12 @@ class Room:
             text_frame(encode(self.people(muted, rates=rates))) for rates in (True, False)
         )
         for member in self.members.values():
-            member.send(with_rates if member.supervisor else without)
+            if member.account.supervisor or not member.supervisor:
+                member.send(with_rates if member.supervisor else without)
+            else:  # who leads some rooms does not learn who is not heard elsewhere
+                here = {one.account.id for one in self.members.values()}
+                few = {account: name for account, name in muted.items() if account in here}
+                member.send(text_frame(encode(self.people(few, rates=True))))
 
     def people(self, muted: Bars, *, rates: bool) -> People:
         """Return who is here; `rates`: with what only supervisors are told."""

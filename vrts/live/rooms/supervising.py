@@ -65,11 +65,12 @@ Supervision = (
 async def supervise(
     hub: Hub, sessions: Sessions, room: Room, member: Member, message: Supervision
 ) -> None:
-    """Do what a supervisor asks for; that they are one was made sure of.
+    """Do what a supervisor asks for; that they lead this room was made sure of.
 
     Raises:
-        NotObeyed: It cannot be done.
+        NotObeyed: It reaches beyond what they lead, or cannot be done.
     """
+    _within(member, message)
     match message:
         case HandOver() | Lock() | Freeze():
             _control(hub, room, member, message)
@@ -122,6 +123,29 @@ async def supervise(
             member.tell(LogFile(message.of, url))
 
 
+def _within(member: Member, message: Supervision) -> None:
+    """Make sure that what an assistant asks for stays in the rooms that they lead.
+
+    Raises:
+        NotObeyed: It does not.
+    """
+    account = member.account
+    if account.supervisor:
+        return
+    match message:
+        case Mute() | Unmute():
+            help_ = "turn the chat off here, or send them away from this room"
+            raise NotObeyed("role", "who is muted is not heard in any room: ask a teacher", help_)
+        case MakeRooms() | Broadcast() | EndAnnouncement() | Project():
+            raise NotObeyed("role", "this is for all rooms: ask a teacher")
+        case Freeze(everywhere=True):
+            raise NotObeyed("role", "you lead some rooms only: freeze them one by one")
+        case CloseRoom(room=room) | ExportLog(room=room) if not account.leads_in(room):
+            raise NotObeyed("role", "you do not lead that room")
+        case _:
+            pass
+
+
 def _control(hub: Hub, room: Room, member: Member, message: HandOver | Lock | Freeze) -> None:
     now = steady()
     match message:
@@ -151,7 +175,7 @@ def _control(hub: Hub, room: Room, member: Member, message: HandOver | Lock | Fr
 
 async def _kick(hub: Hub, room: Room, member: Member, message: Kick) -> None:
     account = _person(room, message.person).account
-    if account.supervisor:
+    if account.leads_in(room.id):
         raise NotObeyed("role", "a supervisor cannot be sent away")
 
     def work(connection: Connection) -> set[int]:
@@ -173,7 +197,7 @@ async def _mute(hub: Hub, person: Member, *, on: bool) -> None:
     if not on:
         await _unmute(hub, hub.muted.get(account.id, account.name))
         return
-    if account.supervisor:
+    if account.leads_any:
         raise NotObeyed("role", "a supervisor cannot be muted")
 
     def work(connection: Connection) -> set[int]:

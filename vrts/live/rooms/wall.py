@@ -8,6 +8,7 @@ from vrts.live.protocol.from_server import Wall
 from vrts.live.protocol.listed import WallRow
 from vrts.live.protocol.over_http import Still
 from vrts.live.rooms.hub import Hub
+from vrts.live.rooms.member import Member
 from vrts.live.rooms.room import Room
 from vrts.live.session.views.frame import unpacked
 
@@ -69,11 +70,18 @@ def show_wall(hub: Hub) -> None:
     """Send the wall to those who watch it."""
     watching = [m for m in hub.everybody() if m.wall]
     if watching:
-        wall = Wall(tuple(_row(room) for room in hub.rooms.values()), hub.projector)
-        frame = text_frame(encode(wall))
+        rows = {id_: _row(room) for id_, room in hub.rooms.items()}
+        whole = text_frame(encode(Wall(tuple(rows.values()), hub.projector)))
         for member in watching:
             if member.door is not None:
-                member.door.latest("wall", frame)
+                led = whole if member.account.supervisor else _led(member, rows, hub.projector)
+                member.door.latest("wall", led)
+
+
+def _led(member: Member, rows: dict[str, WallRow], projector: str) -> bytes:
+    """Return the wall of the rooms that an assistant leads."""
+    led = tuple(row for id_, row in rows.items() if member.account.leads_in(id_))
+    return text_frame(encode(Wall(led, projector)))
 
 
 def _row(room: Room) -> WallRow:

@@ -14,6 +14,8 @@ ONCE_S: Final = 12 * 3600.0  # how long a link for one browser lets in
 LINK_S: Final = 200 * 86_400.0  # how long a link for many does, unless it is ended before
 MANY: Final = -1  # uses: any number
 GUESTS: Final = 5000  # accounts without a password at most
+NOT_CHOSEN: Final = ""  # as the hash of a password: the account has none yet, and is no guest's
+ALL_ROOMS: Final = ""  # in place of a room's id, in what somebody leads
 
 
 class Account(NamedTuple):
@@ -21,10 +23,28 @@ class Account(NamedTuple):
 
     id: int
     name: str
-    supervisor: bool
+    supervisor: bool  # everywhere, the ways in too
     room: str | None  # the only one that may be entered
+    leads: frozenset[str] = frozenset()  # ids of the rooms that an assistant leads, or `ALL_ROOMS`
+
+    def leads_in(self, room: str) -> bool:
+        """Return whether they may do in a room what a supervisor may do there."""
+        return self.supervisor or not self.leads.isdisjoint((room, ALL_ROOMS))
+
+    @property
+    def leads_any(self) -> bool:
+        """Whether there is a room that they lead."""
+        return self.supervisor or bool(self.leads)
 
 
+_COLUMNS: Final = (
+    "account.id, account.name, account.supervisor, account.room,"
+    " (SELECT group_concat(leads.room, char(10)) FROM leads WHERE leads.account=account.id)"
+)
+# who was on a list of the course, and is no more, keeps everything and stays outside
+_COMES_IN: Final = (
+    "NOT EXISTS (SELECT 1 FROM person WHERE person.account=account.id AND NOT listed)"
+)
 Who = Callable[[dict[str, str]], Awaitable[Account | None]]  # whose cookies these are
 
 
@@ -66,11 +86,20 @@ def add_account(
 def password_of(connection: sqlite3.Connection, name: str) -> tuple[Account, str] | None:
     """Return an account by its name, with the hash of its password."""
     row = connection.execute(
-        "SELECT id, name, supervisor, room, password FROM account"
-        " WHERE name IN (?,?) AND password IS NOT NULL",
+        f"SELECT {_COLUMNS}, password FROM account"  # noqa: S608 -- of ours
+        " WHERE name IN (?,?) AND password NOT NULL",
         (person_name(name), display_name(name)),  # as it is kept now, and as it was before
     ).fetchone()
-    return None if row is None else (_account(row[:4]), row[4])
+    return None if row is None else (_account(row[:5]), row[5])
+
+
+def account_of(connection: sqlite3.Connection, id_: int) -> Account | None:
+    """Return an account; None: it is gone, or of somebody who may not come in any more."""
+    row = connection.execute(
+        f"SELECT {_COLUMNS} FROM account WHERE id=? AND {_COMES_IN}",  # noqa: S608 -- of ours
+        (id_,),
+    ).fetchone()
+    return None if row is None else _account(row)
 
 
 def log_in(connection: sqlite3.Connection, account: int, now: float) -> str:
@@ -84,8 +113,8 @@ def log_in(connection: sqlite3.Connection, account: int, now: float) -> str:
 def who(connection: sqlite3.Connection, token: str, now: float) -> Account | None:
     """Return whose cookie holds a token."""
     row = connection.execute(
-        "SELECT account.id, name, supervisor, room FROM login JOIN account ON account=account.id"
-        " WHERE digest=? AND expires>?",
+        f"SELECT {_COLUMNS} FROM login JOIN account ON login.account=account.id"  # noqa: S608 -- ours
+        f" WHERE digest=? AND expires>? AND {_COMES_IN}",
         (digest(token), now),
     ).fetchone()
     return None if row is None else _account(row)
@@ -143,6 +172,12 @@ def lets_in(connection: sqlite3.Connection, token: str, now: float) -> bool:
     return _link_of(connection, token, now) is not None
 
 
+def lets_supervise(connection: sqlite3.Connection, token: str, now: float) -> bool:
+    """Return whether a token is that of a supervisor's link, which works now."""
+    row = _link_of(connection, token, now)
+    return row is not None and bool(row[0])
+
+
 def enter(connection: sqlite3.Connection, token: str, name: str, now: float) -> Account | None:
     """Use a link or code; return the new account, None when there is no such link any more.
 
@@ -182,8 +217,9 @@ def _link_of(
     return row
 
 
-def _account(row: tuple[int, str, int, str | None]) -> Account:
-    return Account(row[0], row[1], bool(row[2]), row[3])
+def _account(row: tuple[int, str, int, str | None, str | None]) -> Account:
+    leads = () if row[4] is None else row[4].split("\n")
+    return Account(row[0], row[1], bool(row[2]), row[3], frozenset(leads))
 
 
 def _new_id(connection: sqlite3.Connection) -> int:

@@ -107,3 +107,12 @@ def crowd(connection: sqlite3.Connection, now: float) -> Crowd:
         (now - IDLE_S,),
     ).fetchone()
     return Crowd(*(int(count) for count in row))
+
+
+def log_guests_out(connection: sqlite3.Connection) -> list[int]:
+    """End the cookies of all guests; return who had one."""
+    rows = connection.execute(
+        "DELETE FROM login WHERE account IN"
+        " (SELECT id FROM account WHERE password IS NULL AND NOT supervisor) RETURNING account"
+    ).fetchall()
+    return sorted({row[0] for row in rows})

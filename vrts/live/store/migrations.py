@@ -204,7 +204,16 @@ STEPS: Final = (
         rank TEXT NOT NULL,
         team TEXT NOT NULL DEFAULT '',
         subject TEXT UNIQUE,
-        listed INTEGER NOT NULL DEFAULT 1
+        listed INTEGER NOT NULL DEFAULT 1,
+        called TEXT NOT NULL DEFAULT '',
+        origin TEXT NOT NULL DEFAULT 'file',
+        rooms TEXT NOT NULL DEFAULT '[]'
+    );
+    CREATE TABLE letter (
+        account INTEGER PRIMARY KEY REFERENCES account ON DELETE CASCADE,
+        digest BLOB NOT NULL UNIQUE,
+        made REAL NOT NULL,
+        expires REAL NOT NULL
     );
     CREATE TABLE leads (
         account INTEGER NOT NULL REFERENCES account ON DELETE CASCADE,

@@ -74,7 +74,9 @@ def keep_line(connection: sqlite3.Connection, line: Line) -> None:
 def lines(connection: sqlite3.Connection, room: str) -> list[Line]:
     """Return the last lines of chat of a room."""
     rows = connection.execute(
-        "SELECT chat.*, coalesce(reading.name, ''), coalesce(saying.supervisor, 0) FROM chat"
+        "SELECT chat.*, coalesce(reading.name, ''), coalesce(saying.supervisor, 0) OR EXISTS"
+        " (SELECT 1 FROM leads WHERE account=chat.account AND leads.room IN ('', chat.room))"
+        " FROM chat"
         " LEFT JOIN account AS reading ON reading.id=reader"
         " LEFT JOIN account AS saying ON saying.id=chat.account"
         " WHERE chat.room=? ORDER BY number DESC LIMIT ?",
