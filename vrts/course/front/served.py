@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from starlette.routing import BaseRoute
 
 from vrts.course.course import Course
+from vrts.course.front.board_pages import BoardPages
 from vrts.course.front.course_pages import CoursePages
 from vrts.course.front.people_pages import PeoplePages
 from vrts.course.people.watching import WatchedPeople
@@ -53,4 +54,4 @@ def adding(course: Course) -> Adding:
 def _parts(course: Course, hub: Hub, sessions: Sessions, pages: Pages) -> tuple[Added, ...]:
     """Return the parts of a course in the order in which they begin."""
     people = PeoplePages(WatchedPeople(course, hub), hub, pages)
-    return (people, CoursePages(course, hub, pages))
+    return (people, CoursePages(course, hub, pages), BoardPages(course, hub, pages))

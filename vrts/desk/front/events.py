@@ -23,6 +23,11 @@ class Events:
         self._listeners: set[asyncio.Queue[bytes | None]] = set()
         self._ended = False
 
+    @property
+    def listened(self) -> bool:
+        """Whether anybody listens."""
+        return bool(self._listeners)
+
     def send(self, name: str, value: object) -> None:
         """Tell everybody."""
         event = b"event: %s\ndata: %s\n\n" % (name.encode(), msgspec.json.encode(value))
@@ -42,7 +47,7 @@ class Events:
     async def listen(self, request: Request) -> Response:
         """Answer with events as they come."""
         if self._ended or len(self._listeners) >= MOST:
-            return refusal(429, "too many pages of the desk are open")
+            return refusal(429, "too many pages are open that follow this")
         queue: asyncio.Queue[bytes | None] = asyncio.Queue(WAITING)
         headers = {"cache-control": "no-store", "x-accel-buffering": "no"}
         return StreamingResponse(

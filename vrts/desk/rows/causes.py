@@ -65,7 +65,12 @@ def causes_of(rows: Iterable[Row]) -> tuple[CauseTold, ...]:
 
 def same_words(loss: Loss) -> str:
     """Return the sentence of a loss without what differs among those who lost by the same."""
-    said = _WHERE.sub("", loss.sentence[:_LONGEST])
+    return same_sentence(loss.sentence)
+
+
+def same_sentence(sentence: str) -> str:
+    """Return a sentence about a loss without time, line and numbers; names stay."""
+    said = _WHERE.sub("", sentence[:_LONGEST])
     return _PARTS.sub(lambda match: match[1] or "…", said)
 
 

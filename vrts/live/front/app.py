@@ -123,6 +123,7 @@ def application(
         lifespan=lifespan,
         exception_handlers={NO_ROOM: no_disk},
         routes=[
+            *(() if added is None else added.routes()),  # first: they have files of their own
             Route("/", pages.page),
             Route("/web/{path:path}", pages.file),
             Route("/door", entrances.door),
@@ -146,7 +147,6 @@ def application(
             WebSocketRoute("/lsp", help_),
             WebSocketRoute("/rehearse", rehearse),
             *ProgramPages(hub, pages.who).routes(),
-            *(() if added is None else added.routes()),
         ],
     )
     return Guard(app, Names(settings.names), secure=settings.secure, hop=hop)
