@@ -9,7 +9,7 @@ from vrts.live.settings import DATABASE
 from vrts.live.store.accounts import add_account
 from vrts.live.store.course.attempts import Attempt, Loss, add_attempt, keep_mark
 from vrts.live.store.course.people import Person, keep_person
-from vrts.live.store.database import opened
+from vrts.live.store.database import Connection, opened
 
 NOON = 1_795_780_800.0  # Unix time [s]
 CAUSES = (
@@ -50,7 +50,8 @@ def fill(folder: Path, students: int, assignments: int, most: int = 6, seed: int
         most: Attempts of a student at an assignment at most.
         seed: Of all that is by chance.
     """
-    chance, accounts = Random(seed), []
+    chance = Random(seed)
+    accounts: list[int] = []
     folder.mkdir(parents=True, exist_ok=True)
     with closing(opened(folder / DATABASE)) as connection:
         connection.execute("BEGIN")
@@ -69,7 +70,9 @@ def fill(folder: Path, students: int, assignments: int, most: int = 6, seed: int
     return accounts
 
 
-def _attempts(connection, account: int, assignment: str, count: int, chance: Random) -> None:  # type: ignore[no-untyped-def]
+def _attempts(
+    connection: Connection, account: int, assignment: str, count: int, chance: Random
+) -> None:
     left = [cause for cause in CAUSES if chance.random() < 0.6]
     for k in range(count):
         at = NOON + 3600.0 * k + chance.random() * 1e6

@@ -1,6 +1,7 @@
 """The patches: each breaks one promise of the product in one line."""
 
 from tests.sabotage.certified import CERTIFIED
+from tests.sabotage.course import COURSE
 from tests.sabotage.patch import Patch
 from tests.sabotage.proofs import PROOFS
 
@@ -35,6 +36,7 @@ DISPATCH_PLAN = "tests/unit/dispatch/planning/test_plan.py"
 __all__ = ["PATCHES", "Patch"]
 
 PATCHES: tuple[Patch, ...] = (
+    *COURSE,
     Patch(
         "an editor that takes no snippets is sent some",
         "vrts/lsp/server/helping.py",

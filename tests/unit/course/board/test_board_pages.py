@@ -34,7 +34,8 @@ class Served(LiveServer):
 
 @pytest.fixture(scope="module")
 def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Served]:
-    with Served(tmp_path_factory.mktemp("course")) as started:
+    started = Served(tmp_path_factory.mktemp("course"))
+    with started:
         yield started
 
 
