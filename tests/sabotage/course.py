@@ -9,7 +9,7 @@ COURSE: tuple[Patch, ...] = (
     Patch(
         "everybody who is logged in sees the board of a course",
         "vrts/course/front/board_pages.py",
-        "return account if account is not None and account.supervisor else None",
+        "return account if account is not None and account.leads_in(ALL_ROOMS) else None",
         "return account",
         (BOARD_PAGES,),
     ),

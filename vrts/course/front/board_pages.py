@@ -14,9 +14,9 @@ from vrts.course.board.board import Column, Presence, board, work_of
 from vrts.course.board.changed import changed
 from vrts.course.board.table import marks_csv
 from vrts.course.board.told import BoardTold, WaitTold
-from vrts.course.course import Course
 from vrts.course.facts import Facts, facts_of
 from vrts.course.front.own_page import OwnPage
+from vrts.course.people.watching import WatchedPeople
 from vrts.desk.front.events import Events
 from vrts.live.front.bodies import JSON, as_json
 from vrts.live.front.guard import refused
@@ -42,9 +42,9 @@ class _Read(NamedTuple):
 class BoardPages:
     """The handlers."""
 
-    def __init__(self, course: Course, hub: Hub, pages: Pages) -> None:
-        """Tell of a course; `pages` knows whose cookies there are."""
-        self._course = course
+    def __init__(self, people: WatchedPeople, hub: Hub, pages: Pages) -> None:
+        """Tell of the course that `people` follows; `pages` knows whose cookies there are."""
+        self._people = people
         self._hub = hub
         self._pages = pages
         self._page = OwnPage("course/board")
@@ -109,7 +109,7 @@ class BoardPages:
         if await self._teacher(request) is None:
             return refused(*REFUSED)
         wanted = request.query_params.get("assignment")
-        columns = {one.id for one in self._course.assignments}
+        columns = {one.id for one in self._people.course.assignments}
         if wanted is not None and wanted not in columns:
             return refused(404, "assignment", "there is no such assignment in this course")
         told = await self._made()
@@ -123,14 +123,15 @@ class BoardPages:
         """Return the board of now; it is made again where something has changed."""
         async with self._making:
             presence, hub = self._presence(), self._hub
-            state = (presence, await hub.database.do(state_of))
+            course = self._people.course
+            state = (presence, course, await hub.database.do(state_of))
             if self._read is not None and self._read.state == state:
                 return self._read.told
             known, attempts = await hub.database.do(_rows)
-            now, title = wall(), self._course.title
+            now, title = wall(), course.title
 
             def make() -> BoardTold:
-                columns = [_column(facts_of(one)) for one in self._course.assignments]
+                columns = [_column(facts_of(one)) for one in course.assignments]
                 return board(title, columns, known, attempts, presence, now)
 
             told = await asyncio.to_thread(make)

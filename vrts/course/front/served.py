@@ -53,5 +53,9 @@ def adding(course: Course) -> Adding:
 
 def _parts(course: Course, hub: Hub, sessions: Sessions, pages: Pages) -> tuple[Added, ...]:
     """Return the parts of a course in the order in which they begin."""
-    people = PeoplePages(WatchedPeople(course, hub), hub, pages)
-    return (people, CoursePages(course, hub, pages), BoardPages(course, hub, pages))
+    people = WatchedPeople(course, hub)
+    return (
+        PeoplePages(people, hub, pages),
+        CoursePages(course, hub, pages),
+        BoardPages(people, hub, pages),
+    )
