@@ -1,9 +1,11 @@
 """What a course is: its people as the file names them, its rooms, its assignments."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from datetime import datetime
 from pathlib import Path
 from typing import Final, Literal, NamedTuple
+
+from vrts.live.rooms.own.limits import OwnLimits
 
 COURSE_FILE: Final = "course.toml"
 
@@ -48,6 +50,7 @@ class Course:
     rooms: tuple[str, ...] = ("Class",)  # that all share
     scenes: tuple[str, ...] = ()  # besides those of the assignments
     own_robots: bool = True  # whether each student may have one
+    limits: OwnLimits = field(default_factory=OwnLimits)  # of these robots
     staff: tuple[Staff, ...] = ()
     teams: tuple[Team, ...] = ()
     assignments: tuple[Assignment, ...] = ()

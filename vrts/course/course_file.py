@@ -9,6 +9,7 @@ from vrts.base.safe_names import safe
 from vrts.base.source import SourceFile
 from vrts.base.toml.reading import Problems, Table, read_toml
 from vrts.course.course import COURSE_FILE, Assignment, Course, Rank, Staff, Team
+from vrts.course.robots.limits_table import read_limits
 from vrts.live.names import display_name
 from vrts.pipeline.files import TASK_FILE, read_toml_source
 from vrts.pipeline.refused import Refused
@@ -75,9 +76,11 @@ def _course(top: Table, problems: Problems, folder: Path) -> Course | None:
         *_staff(top, problems, "teacher", rooms),
         *_staff(top, problems, "assistant", rooms),
     )
-    teams = _teams(top, problems)
+    teams, limits = _teams(top, problems), read_limits(top)
     assignments = _assignments(top, problems, folder)
-    return Course(folder, title, path, guests, rooms, scenes, own, staff, teams, assignments)
+    return Course(
+        folder, title, path, guests, rooms, scenes, own, limits, staff, teams, assignments
+    )
 
 
 def _staff(

@@ -9,6 +9,7 @@ from vrts.course.front.board_pages import BoardPages
 from vrts.course.front.course_pages import CoursePages
 from vrts.course.front.people_pages import PeoplePages
 from vrts.course.people.watching import WatchedPeople
+from vrts.course.front.robot_pages import RobotPages
 from vrts.live.front.added import Added, Adding
 from vrts.live.front.http import Pages
 from vrts.live.rooms.hub import Hub
@@ -57,5 +58,6 @@ def _parts(course: Course, hub: Hub, sessions: Sessions, pages: Pages) -> tuple[
     return (
         PeoplePages(people, hub, pages),
         CoursePages(course, hub, pages),
+        RobotPages(course, hub, pages),
         BoardPages(people, hub, pages),
     )

@@ -3,6 +3,7 @@
 import gc
 from collections.abc import AsyncGenerator
 from contextlib import asynccontextmanager, suppress
+from functools import partial
 
 from starlette.applications import Starlette
 from starlette.requests import HTTPConnection
@@ -28,6 +29,8 @@ from vrts.live.front.static_files import StaticFiles
 from vrts.live.rehearsing.offering import Rehearsals
 from vrts.live.rooms.hub import DISK_HELP, NO_DISK, Hub
 from vrts.live.rooms.opening import make_room, open_kept
+from vrts.live.rooms.own.hands import show_hands_to
+from vrts.live.rooms.own.sleeping import Sleeper
 from vrts.live.rooms.pulse import pulse
 from vrts.live.rooms.sessions import Sessions
 from vrts.live.settings import DATABASE, EDITING, REHEARSING, Settings
@@ -68,6 +71,9 @@ def application(
     past = PastPages(hub, pages.who)
     health = HealthPage(hub)
     admin = AdminPage(hub, pages.who, health)
+    sleeper = Sleeper(hub, sessions)
+    hub.sleeping = sleeper
+    hub.settled = partial(show_hands_to, hub)
     added = None if adding is None else adding(hub, sessions, pages)
 
     @asynccontextmanager
@@ -81,7 +87,7 @@ def application(
                 sessions.begin(await make_room(hub, name, settings.places[0].id))
         if added is not None:
             await added.open()
-        hub.spawn(pulse(hub, added))
+        hub.spawn(pulse(hub, *((sleeper,) if added is None else (sleeper, added))))
         gc.collect()
         gc.freeze()  # what is loaded is needed for good: no collection has to look at it again
         yield

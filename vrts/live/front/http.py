@@ -19,7 +19,7 @@ from vrts.live.logs.voices import Said
 from vrts.live.protocol.over_http import Carried, Me, Still
 from vrts.live.refusal import NotObeyed
 from vrts.live.rooms.entering import log_out, room_for
-from vrts.live.rooms.hub import Hub
+from vrts.live.rooms.hub import Hub, may_see
 from vrts.live.rooms.wall import still
 from vrts.live.store import accounts
 from vrts.live.store.accounts import LOGIN_S, Account
@@ -81,7 +81,7 @@ class Pages:
         process = None if room is None else room.process
         if room is None or process is None or not process.ready or room.session != session:
             return refused(404, "scene", "there is no such scene any more")
-        if room.entry not in self._hub.entries(account):
+        if not may_see(account, room):
             return refused(403, "room", "this link is for another room")
         key = f"{room.id}/{session}"
         if key not in self._scenes:
@@ -138,7 +138,8 @@ class Pages:
             picture: Still | None = None
             with suppress(NotObeyed):  # who joins the room is told why
                 wanted = hub.projector if "projector" in query else query.get("room", "")
-                picture = still(room_for(hub, account, wanted))
+                room = room_for(hub, account, wanted)
+                picture = still(room) if may_see(account, room) else None
             return Carried(wall(), self._who_is(account), picture)
         return None
 

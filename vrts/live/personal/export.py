@@ -29,9 +29,10 @@ ROWS: Final = {  # which rows of a table are of somebody; `:account` and `:names
     "login": "account=:account",
     "muted": "account=:account",
     "notice": "account=:account",
-    "own_room": "owner=:account",
+    "own_room": "owner=:account OR hand_by=:account",
     "person": "account=:account",
     "program_version": "account=:account OR shelf='own ' || :account",
+    "slot": "account=:account",
 }
 SECRET: Final = frozenset(("password", "digest", "salt", "seal"))  # of no use to a person
 _WITH_RECORDS: Final = (

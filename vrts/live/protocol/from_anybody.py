@@ -53,6 +53,17 @@ class RaiseHand(Strict, frozen=True, tag="raise_hand"):
     """Raise or lower one's hand."""
 
     up: bool
+    text: Annotated[str, Meta(max_length=LONGEST_NOTE)] = ""  # in a room of one's own: about what
+
+
+class Wake(Strict, frozen=True, tag="wake"):
+    """Wake the robot of a room of somebody's own; entering does so too."""
+
+
+class Point(Strict, frozen=True, tag="point"):
+    """Point at a thing of the scene, in a room of somebody's own: all others there see it."""
+
+    body: Id  # empty: at nothing any more
 
 
 class Say(Strict, frozen=True, tag="say"):

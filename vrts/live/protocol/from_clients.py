@@ -10,10 +10,12 @@ from vrts.live.protocol.from_anybody import (
     Note,
     Noticed,
     Panic,
+    Point,
     RaiseHand,
     RequestControl,
     Say,
     SetRate,
+    Wake,
 )
 from vrts.live.protocol.from_supervisors import (
     Allow,
@@ -26,6 +28,7 @@ from vrts.live.protocol.from_supervisors import (
     HandOver,
     Kick,
     Lock,
+    LowerHand,
     MakeRooms,
     Mute,
     Project,
@@ -44,6 +47,8 @@ FromClient = (
     | RequestControl
     | HandBack
     | RaiseHand
+    | Wake
+    | Point
     | Say
     | Noticed
     | Note
@@ -51,6 +56,7 @@ FromClient = (
     | AskProgram
     | GoOnFrom
     | HandOver
+    | LowerHand
     | Lock
     | Freeze
     | Kick

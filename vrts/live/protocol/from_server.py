@@ -8,7 +8,7 @@ missed. Those without are states, sent whole whenever they change and after ever
 import msgspec
 
 from vrts.live.protocol.fields import VERSION, Role
-from vrts.live.protocol.listed import Person, RoomEntry, SceneEntry, WallRow
+from vrts.live.protocol.listed import Hand, Person, RoomEntry, SceneEntry, WallRow
 
 
 class Message(msgspec.Struct, frozen=True, tag_field="type"):
@@ -197,6 +197,22 @@ class Stopped(Message, frozen=True, tag="stopped"):
     role: Role | None = None
 
 
+class Hands(Message, frozen=True, tag="hands"):
+    """Hands that are up in rooms of their own: all to those who lead, else one's own."""
+
+    hands: tuple[Hand, ...]
+    more: int = 0  # hands that are not listed
+    rooms: int = 0  # rooms of their own; told to those who lead, as what follows
+    awake: int = 0  # of them
+
+
+class Pointed(Message, frozen=True, tag="pointed"):
+    """Somebody points at a thing of the scene."""
+
+    person: str  # id
+    body: str  # empty: at nothing any more
+
+
 class LogFile(Message, frozen=True, tag="log_file"):
     """Where a log can be fetched, with the cookie."""
 
@@ -232,6 +248,8 @@ FromServer = (
     | ClassCode
     | Announced
     | Stopped
+    | Hands
+    | Pointed
     | LogFile
     | Closed
 )

@@ -14,6 +14,12 @@ class HandOver(Strict, frozen=True, tag="hand_over"):
     person: Id = ""  # empty: take it from its holder; the queue's first is next
 
 
+class LowerHand(Strict, frozen=True, tag="lower_hand"):
+    """Supervisor: take the hand down that is up in a room of somebody's own: it is helped."""
+
+    room: Id
+
+
 class Lock(Strict, frozen=True, tag="lock"):
     """Supervisor: the operator's commands are refused while locked."""
 

@@ -33,6 +33,20 @@ class RoomEntry(msgspec.Struct, frozen=True):
     task: str  # title; empty without one
     people: int
     offered: bool = True  # the server has its scene; else there is no session in it
+    own: str = ""  # whose own room it is; empty: nobody's in particular
+
+
+class Hand(msgspec.Struct, frozen=True):
+    """A hand that is up in a room of somebody's own."""
+
+    room: str  # id
+    where: str  # name of the room
+    name: str  # of who raised it
+    since: float  # Unix time [s]
+    text: str  # what it is about; may be empty
+    place: int  # in the queue, from 1
+    here: bool  # who raised it is there
+    helping: tuple[str, ...]  # names of those who lead and are there
 
 
 class WallRow(msgspec.Struct, frozen=True):

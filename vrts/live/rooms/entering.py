@@ -82,8 +82,11 @@ def enter(
         join.rate,
     )
     door.send(text_frame(encode(welcome)))
-    if (hub.settings.alone or room.is_own(account)) and room.control.request(member.id, steady()):
+    comes = room.is_own(account) if room.own is None else _alone_in(room, account)
+    if (hub.settings.alone or comes) and room.control.request(member.id, steady()):
         control_changed(hub, room)
+    if hub.sleeping is not None:
+        hub.sleeping.entered(room, account)
     room.tell_people_soon()
     room.joining.append(member)
     if room.process is None or not room.process.ready:
@@ -91,6 +94,11 @@ def enter(
     elif len(room.joining) == 1:
         room.process.ask_snapshot()
     return member
+
+
+def _alone_in(room: Room, account: Account) -> bool:
+    """Return whether control comes with entering a room of one's own: nobody else has it."""
+    return room.is_own(account) and not room.control.holder and not room.control.queue
 
 
 def settle(hub: Hub, room: Room, state: bytes) -> None:
@@ -128,6 +136,7 @@ def settle(hub: Hub, room: Room, state: bytes) -> None:
         member.send(text_frame(encode(all_rooms)))
         if member.account.supervisor:
             member.send(text_frame(encode(hub.class_code())))
+        hub.settled(member)
 
 
 def drop(hub: Hub, member: Member, door: Door) -> None:
@@ -248,7 +257,7 @@ def room_for(hub: Hub, account: Account, wanted: str) -> Room:
     own = asked is not None and asked.is_own(account)
     if only is not None and wanted not in ("", only) and not own:
         raise NotObeyed("room", "this link is for another room")
-    shared = (room for room in hub.rooms.values() if room.branch is None)
+    shared = (room for room in hub.rooms.values() if room.shared)
     free = (room.id for room in shared if account.id not in room.barred)
     id_ = wanted or only or next(free, next(iter(hub.rooms), ""))
     room = hub.rooms.get(id_)
@@ -256,7 +265,7 @@ def room_for(hub: Hub, account: Account, wanted: str) -> Room:
         raise NotObeyed("room", "there is no such room any more")
     if account.id in room.barred:
         raise NotObeyed("kicked", "the supervisor has sent you away from this room")
-    if room.branch is not None and not may_enter(account, room):
+    if not room.shared and not may_enter(account, room):
         raise NotObeyed("room", "there is no such room any more")
     return room
 

@@ -3,7 +3,7 @@
 import asyncio
 import logging
 from collections.abc import Callable, Coroutine
-from typing import Any, Final
+from typing import Any, Final, Protocol
 
 from vrts.live.door import Door, text_frame
 from vrts.live.entrance.ways_in import WaysIn
@@ -35,6 +35,22 @@ DISK_AGAIN: Final = "the server's disk has room again: all that was done is reco
 _log = logging.getLogger("vrts.live")
 
 
+class Sleeping(Protocol):
+    """Wakes rooms of their own."""
+
+    def entered(self, room: Room, account: Account) -> None:
+        """Wake a room into which somebody has come, if it sleeps."""
+        ...
+
+    def wake(self, room: Room, account: Account) -> None:
+        """Have a robot go on now, or as soon as there is room for it."""
+        ...
+
+    async def woken(self, room: Room, account: Account) -> None:
+        """Have a robot go on now, and wait for that."""
+        ...
+
+
 class Hub:
     """Owns the rooms. Everything in it happens in the event loop's thread."""
 
@@ -59,6 +75,8 @@ class Hub:
         self.turns = Buckets(*TURNS)  # how often each account asks for control
         self.purges = -1  # how often somebody was purged; -1: not known yet
         self.unjoined: dict[Door, None] = {}  # connections whose first message has not come
+        self.sleeping: Sleeping | None = None
+        self.settled: Callable[[Member], None] = lambda _: None  # somebody has their snapshot
         self.stopping = False
         self._tasks: set[asyncio.Task[Any]] = set()
 
@@ -83,12 +101,19 @@ class Hub:
             room.tell(Chat(number, wall(), "", "", text), number)
 
     def entries(self, account: Account) -> tuple[RoomEntry, ...]:
-        """Return the rooms that somebody may enter."""
-        return tuple(room.entry for room in self.rooms.values() if may_enter(account, room))
+        """Return the rooms that somebody may enter; of others' own rooms there are too many."""
+        return tuple(
+            room.entry
+            for room in self.rooms.values()
+            if may_enter(account, room) and (room.own is None or room.is_own(account))
+        )
 
-    def rooms_changed(self) -> None:
-        """Tell everybody which rooms there are."""
+    def rooms_changed(self, only: Room | None = None) -> None:
+        """Tell everybody which rooms there are; `only` this has changed."""
+        own = None if only is None or only.own is None else only
         for member in self.everybody():
+            if own is not None and not own.is_own(member.account) and member.room != own.id:
+                continue
             message = Rooms(self.entries(member.account), self.projector)
             member.send(text_frame(encode(message)))
 
@@ -142,4 +167,11 @@ def may_enter(account: Account, room: Room) -> bool:
         return False
     if account.leads_in(room.id) or room.is_own(account):
         return True
-    return room.branch is None and account.room in (None, room.id)
+    return room.shared and account.room in (None, room.id)
+
+
+def may_see(account: Account, room: Room) -> bool:
+    """Return whether somebody may see a room: others' own rooms only who is shown to be in it."""
+    if room.own is None or room.is_own(account):
+        return may_enter(account, room)
+    return any(member.account.id == account.id for member in room.members.values())

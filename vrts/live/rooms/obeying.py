@@ -18,19 +18,23 @@ from vrts.live.protocol.from_anybody import (
     Note,
     Noticed,
     Panic,
+    Point,
     RaiseHand,
     RequestControl,
     Say,
     SetRate,
+    Wake,
 )
 from vrts.live.protocol.from_clients import FromClient
 from vrts.live.protocol.from_server import Branched
+from vrts.live.protocol.from_supervisors import GoOn, LowerHand, SetScene
 from vrts.live.refusal import NotObeyed
 from vrts.live.rooms.audience import EVERYBODY, Audience
 from vrts.live.rooms.hub import DISK_HELP, NO_DISK, Hub
 from vrts.live.rooms.keeping import LOG_FULL, LOG_HELP, control_changed, say
 from vrts.live.rooms.member import Member
 from vrts.live.rooms.noting import put_note
+from vrts.live.rooms.own.hands import leads, lower_hand, point, raise_hand
 from vrts.live.rooms.private.branching import branch, end_earlier
 from vrts.live.rooms.process import SessionProcess
 from vrts.live.rooms.room import Room
@@ -60,8 +64,11 @@ async def obey(hub: Hub, sessions: Sessions, member: Member, message: FromClient
     if not member.messages.take(now):
         member.excess += 1
         raise NotObeyed("rate", "too many messages at once", "slow down")
+    if not isinstance(message, SetRate | Noticed):
+        room.used = now
     match message:
         case Command():
+            await _awake(hub, room, member)
             _command(hub, room, member, message, now)
         case Join():
             raise NotObeyed("joined", "this connection has joined already")
@@ -73,9 +80,21 @@ async def obey(hub: Hub, sessions: Sessions, member: Member, message: FromClient
         case HandBack():
             if room.control.hand_back(member.id, now):
                 control_changed(hub, room)
+        case RaiseHand() if room.own is not None:
+            await raise_hand(hub, room, member, up=message.up, text=message.text)
         case RaiseHand():
             member.hand = message.up
             room.tell_people_soon()
+        case Wake():
+            if hub.sleeping is not None:
+                hub.sleeping.wake(room, member.account)
+        case Point():
+            point(room, member, message.body)
+        case LowerHand():
+            helped = hub.rooms.get(message.room)
+            if helped is None or not leads(member.account, helped):
+                raise NotObeyed("role", "only who leads takes a hand down")
+            await lower_hand(hub, helped)
         case Say():
             await _say(hub, room, member, message, now)
         case Noticed():
@@ -94,9 +113,20 @@ async def obey(hub: Hub, sessions: Sessions, member: Member, message: FromClient
             member.tell(Branched(message.of, made.id))
             await end_earlier(hub, member.account, made)
         case _:
-            if not member.supervisor:
+            begins = isinstance(message, SetScene | GoOn) and member.account.id in room.owners
+            if not (member.supervisor or begins):
                 raise NotObeyed("role", "only a supervisor may do this")
             await supervise(hub, sessions, room, member, message)
+
+
+async def _awake(hub: Hub, room: Room, member: Member) -> None:
+    """Have a robot that sleeps wake before it is told anything.
+
+    Raises:
+        NotObeyed: It cannot now.
+    """
+    if room.asleep and hub.sleeping is not None:
+        await hub.sleeping.woken(room, member.account)
 
 
 def _ask_for_control(hub: Hub, room: Room, member: Member, now: float) -> None:

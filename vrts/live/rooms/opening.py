@@ -23,6 +23,7 @@ from vrts.live.settings import SESSIONS
 from vrts.live.store.accounts import existing
 from vrts.live.store.bars import all_muted, bars_of
 from vrts.live.store.branches import branch_of
+from vrts.live.store.course.own_rooms import members, own_room_of
 from vrts.live.store.database import Connection
 from vrts.live.store.programs import end_closed_shelves, end_shelf
 from vrts.live.store.rooms import (
@@ -55,7 +56,7 @@ async def open_kept(hub: Hub) -> None:
 
 async def make_room(hub: Hub, name: str, scene: str) -> Room:
     """Make a room."""
-    if sum(room.branch is None for room in hub.rooms.values()) >= MOST_ROOMS:
+    if sum(room.shared for room in hub.rooms.values()) >= MOST_ROOMS:
         raise NotObeyed("limit", f"there are {MOST_ROOMS} rooms already", "close some")
     settings = hub.settings
     place = max((room.kept.place for room in hub.rooms.values()), default=0) + 1
@@ -75,9 +76,13 @@ async def open_room(hub: Hub, kept: KeptRoom) -> Room:
         room.chat.append((said, _readers(line) if line.private else EVERYBODY))
     room.barred = await hub.database.do(lambda connection: bars_of(connection, kept.id))
     room.branch = await hub.database.do(lambda connection: branch_of(connection, kept.id))
+    room.own = own = await hub.database.do(lambda connection: own_room_of(connection, kept.id))
+    if own is not None:
+        room.owners = await hub.database.do(lambda connection: members(connection, own))
+        room.rest = "asleep"
     room.stopped = await hub.database.do(lambda connection: _stopped(connection, kept.id))
     hub.rooms[kept.id] = room
-    if room.branch is None:
+    if room.shared:
         hub.projector = hub.projector or kept.id
     return room
 
@@ -87,7 +92,7 @@ async def close(hub: Hub, room: Room) -> None:
     await hub.database.do(lambda connection: _close(connection, room.id))
     hub.rooms.pop(room.id, None)
     if hub.projector == room.id:
-        hub.projector = next((r.id for r in hub.rooms.values() if r.branch is None), "")
+        hub.projector = next((r.id for r in hub.rooms.values() if r.shared), "")
     for member in list(room.members.values()):
         left = Rooms(hub.entries(member.account), hub.projector)  # a projector goes on with it
         member.send(text_frame(encode(left)))

@@ -55,12 +55,12 @@ class Beats(Protocol):
         ...
 
 
-async def pulse(hub: Hub, beside: Beats | None = None) -> None:
+async def pulse(hub: Hub, *beside: Beats) -> None:
     """Do what time alone brings about: flush slots, end turns, forget who is gone.
 
     Args:
         hub: The rooms.
-        beside: Called once a second, too.
+        beside: Each is called once a second, too.
     """
     wall_due, parts = 0.0, _Parts()
     while not hub.stopping:
@@ -87,9 +87,9 @@ async def pulse(hub: Hub, beside: Beats | None = None) -> None:
                 await end_empty(hub)
             with parts.part("ways in"):
                 await hub.ways.look()
-            if beside is not None:
+            for one in beside:
                 with parts.part("what is added"):
-                    await beside.beat()
+                    await one.beat()
 
 
 def _show_who_has_seen(hub: Hub) -> None:

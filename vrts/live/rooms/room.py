@@ -4,7 +4,7 @@ import asyncio
 from collections import Counter, deque
 from collections.abc import Iterable
 from dataclasses import dataclass, field
-from typing import Final, NamedTuple
+from typing import Final, Literal, NamedTuple
 
 import msgspec
 from msgspec import structs
@@ -34,12 +34,14 @@ from vrts.live.session.views.frame import unpacked
 from vrts.live.store.accounts import Account
 from vrts.live.store.bars import Bars
 from vrts.live.store.branches import Branch
+from vrts.live.store.course.own_rooms import OwnRoom
 from vrts.live.store.progress import Reached
 from vrts.live.store.rooms import HISTORY, KeptRoom
 
 REMEMBERED: Final = 4000  # reliable messages for those who come back
 REMEMBERED_BYTES: Final = 4 * 1024 * 1024
 REMEMBERED_S: Final = 600.0  # longer than the place of who is away is kept
+Rest = Literal["awake", "falling", "asleep", "waking"]  # whether it has a session, or had one
 PANIC: Final = b'{"type":"panic"}'  # as the log has it
 
 
@@ -98,6 +100,10 @@ class Room:
     frame: bytes = b""  # the last pose frame; empty: session time is another one since
     branch: Branch | None = None  # what makes it a private one
     empty_since: float | None = None  # since when nobody is in a private one [s]
+    own: OwnRoom | None = None  # what makes it somebody's own, for the term
+    owners: dict[int, str] = field(default_factory=dict[int, str])  # accounts whose own it is
+    rest: Rest = "awake"
+    used: float = 0.0  # when somebody did something in a room of their own [s]
     blocks: Blocks = field(default_factory=Blocks)  # of the session's past
     crowd_changed: float = 0.0  # since when people are to be told who is here; 0: they know
     _told: deque[Told] = field(default_factory=deque[Told])
@@ -112,11 +118,30 @@ class Room:
     def entry(self) -> RoomEntry:
         """The room as a list of rooms shows it."""
         kept = self.kept
-        return RoomEntry(kept.id, kept.name, kept.scene, self.task, self.crowd, self.offered)
+        entry = RoomEntry(kept.id, kept.name, kept.scene, self.task, self.crowd, self.offered)
+        return entry if self.own is None else structs.replace(entry, own=self.whose)
+
+    @property
+    def shared(self) -> bool:
+        """Whether it is nobody's in particular."""
+        return self.branch is None and self.own is None
+
+    @property
+    def asleep(self) -> bool:
+        """Whether it has no session before somebody wakes it."""
+        return self.rest == "asleep"
+
+    @property
+    def whose(self) -> str:
+        """Whose own room it is, in words; empty: nobody's."""
+        if self.own is None:
+            return ""
+        return self.own.team or next(iter(self.owners.values()), SOMEBODY)
 
     def is_own(self, account: Account) -> bool:
-        """Return whether it is somebody's private room."""
-        return self.branch is not None and self.branch.owner == account.id
+        """Return whether it is somebody's private room, or one of their own."""
+        private = self.branch is not None and self.branch.owner == account.id
+        return private or account.id in self.owners
 
     def lets_save(self, account: Account) -> bool:
         """Return whether somebody may save programs for all who are here: who may command."""
@@ -284,7 +309,8 @@ class Room:
     def waits_for(self, member: Member) -> NoSession:
         """Return what somebody may know of why there is no session."""
         waits = self.waits or NoSession()
-        return waits if member.supervisor else NoSession(waits.why)
+        chooses = member.supervisor or self.asleep or member.account.id in self.owners
+        return waits if chooses else NoSession(waits.why)
 
     def tell_people_soon(self) -> None:
         """Have everybody told soon who is here."""
@@ -312,7 +338,7 @@ class Room:
                     member.id,
                     member.account.name,
                     self.role(member),
-                    member.hand,
+                    member.hand or self.has_hand_of(member.account),
                     member.account.id in muted,
                     member.door is None,
                     member.rate if rates else 0,
@@ -322,6 +348,10 @@ class Room:
             tuple(sorted(set(self.barred.values()))) if rates else (),
             tuple(sorted(set(muted.values()))) if rates else (),
         )
+
+    def has_hand_of(self, account: Account) -> bool:
+        """Return whether somebody has raised a hand in a room of their own."""
+        return self.own is not None and self.own.hand_at > 0.0 and self.own.hand_by == account.id
 
     def role_of(self, person: str) -> Role | None:
         """Return what somebody may do here, None when they are gone."""

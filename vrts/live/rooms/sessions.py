@@ -71,12 +71,29 @@ class Sessions:
         self._hub = hub
         self._starting = asyncio.Semaphore(STARTING)
         self._folder = hub.settings.folder / SESSIONS
+        self._going: set[str] = set()  # rooms that are kept going
         self._nursery = Nursery()
 
     def begin(self, room: Room) -> None:
         """Keep a session going in a room until it is closed: as its log says, or a new one."""
         room.offered = self._hub.settings.place(room.kept.scene) is not None
-        self._hub.spawn(self._keep_going(room))
+        if not room.asleep:
+            self._going.add(room.id)
+            self._hub.spawn(self._keep_going(room))
+
+    async def sleep(self, room: Room) -> None:
+        """End the session of a room; it goes on from its log when the room is woken."""
+        room.rest = "asleep"
+        room.wake.set()
+        if room.process is not None:
+            room.process.stop()
+
+    def wake(self, room: Room) -> None:
+        """Let the session of a room go on that sleeps."""
+        if room.asleep:
+            room.rest = "waking"
+            if room.id not in self._going:  # else the one of before has not ended yet
+                self.begin(room)
 
     def stop(self) -> None:
         """Have no room wait for its supervisor any more: the server ends."""
@@ -110,7 +127,7 @@ class Sessions:
 
     async def _keep_going(self, room: Room) -> None:
         deaths, failed = Deaths(), 0
-        while not self._hub.stopping and room.id in self._hub.rooms:
+        while not (self._hub.stopping or room.asleep) and room.id in self._hub.rooms:
             try:
                 await self._go_a_round(room, deaths)
                 failed = 0
@@ -124,6 +141,7 @@ class Sessions:
                 pause_s = RETRY_S * 2.0 ** min(failed - 1, DOUBLED)
                 with contextlib.suppress(TimeoutError):
                     await asyncio.wait_for(room.wake.wait(), pause_s)
+        self._going.discard(room.id)
         if room.id not in self._hub.rooms:
             await asyncio.to_thread(remove_closed, self._folder, room.id)
 
@@ -160,7 +178,8 @@ class Sessions:
         self._hub.rooms_changed()
         settle(self._hub, room, b"null")
         await room.wake.wait()
-        room.show_waits(None)
+        if not room.asleep:
+            room.show_waits(None)
         self._hub.rooms_changed()
 
     async def _before(self, room: Room) -> Unfinished | None:
@@ -225,7 +244,7 @@ class Sessions:
         try:
             room.process = process
             room.unheard = ""
-            if not room.wake.is_set() and room.id in hub.rooms:
+            if not (room.wake.is_set() or room.asleep) and room.id in hub.rooms:
                 await process.run()
         finally:
             if not begun:
@@ -255,6 +274,7 @@ class Sessions:
                     learn_bodies(room, message, whole=True)
                     room.show(State(room.session, room.scene_url, _RAW(message)))
             case "ready":
+                room.rest = "awake"
                 room.task = msgspec.json.decode(head.task, type=str) if head.task else ""
                 scene = hashlib.sha256(process.scene).hexdigest()
                 if head.carried_s is None:
@@ -277,7 +297,7 @@ class Sessions:
                 self._hub.spawn(asyncio.to_thread(empty_earlier, own, room.id))
                 if head.anew:
                     self._hub.spawn(self._say_anew(room, head.anew))
-                self._hub.rooms_changed()
+                self._hub.rooms_changed(room)
                 process.first_snapshot = process.ask_snapshot()
             case "failed" | "exported":
                 pass  # `SessionProcess.failure` has it; nobody asked for an export

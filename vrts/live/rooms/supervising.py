@@ -101,7 +101,7 @@ async def supervise(
             await _make_rooms(hub, sessions, message)
         case CloseRoom():
             closed = _room(hub, message.room)
-            shared = [room for room in hub.rooms.values() if room.branch is None]
+            shared = [room for room in hub.rooms.values() if room.shared]
             if shared == [closed]:
                 help_ = "begin again in it, or make another one first"
                 raise NotObeyed("room", "the last room stays open", help_)
@@ -116,7 +116,10 @@ async def supervise(
         case WatchWall():
             member.wall = message.on
         case Project():
-            hub.projector = _room(hub, message.room).id
+            shown = _room(hub, message.room)
+            if shown.own is not None:
+                raise NotObeyed("room", "a robot of somebody's own is not shown to all")
+            hub.projector = shown.id
             hub.rooms_changed()
         case ExportLog():
             url = f"/log/{_room(hub, message.room).id}"
@@ -224,6 +227,8 @@ def _tell_people(hub: Hub) -> None:
 
 async def _set_scene(hub: Hub, sessions: Sessions, room: Room, member: Member, scene: str) -> None:
     _known(hub, scene)
+    if room.own is not None and scene != room.kept.scene:
+        raise NotObeyed("scene", "a robot of somebody's own keeps its scene", "open another one")
     await change(hub, room, room.kept._replace(scene=scene))
     record(hub, room, "scene", member.account, {"scene": scene})
     sessions.begin_anew(room)
@@ -250,7 +255,7 @@ async def _broadcast(hub: Hub, sessions: Sessions, member: Member, message: Broa
         hub.announcement = told
         hub.show_announcement()
         keep_notice_soon(hub, EVERYWHERE, kept)
-    for room in list(hub.rooms.values()):
+    for room in [room for room in hub.rooms.values() if room.own is None]:
         if text:
             with contextlib.suppress(NO_ROOM):  # all see it: it need not be in the chat as well
                 await say(hub, room, member, text, EVERYBODY, None)

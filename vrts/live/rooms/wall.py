@@ -70,7 +70,7 @@ def show_wall(hub: Hub) -> None:
     """Send the wall to those who watch it."""
     watching = [m for m in hub.everybody() if m.wall]
     if watching:
-        rows = {id_: _row(room) for id_, room in hub.rooms.items()}
+        rows = {id_: _row(room) for id_, room in hub.rooms.items() if room.own is None}
         whole = text_frame(encode(Wall(tuple(rows.values()), hub.projector)))
         for member in watching:
             if member.door is not None:

@@ -239,9 +239,20 @@ STEPS: Final = (
         room TEXT PRIMARY KEY,
         owner INTEGER REFERENCES account ON DELETE SET NULL,
         team TEXT NOT NULL DEFAULT '',
-        assignment TEXT NOT NULL DEFAULT ''
+        assignment TEXT NOT NULL DEFAULT '',
+        hand_at REAL NOT NULL DEFAULT 0,
+        hand_by INTEGER REFERENCES account ON DELETE SET NULL,
+        hand_text TEXT NOT NULL DEFAULT ''
     ) WITHOUT ROWID;
     CREATE INDEX own_room_of ON own_room (owner);
+    CREATE TABLE slot (
+        room TEXT NOT NULL,
+        starts REAL NOT NULL,
+        ends REAL NOT NULL,
+        account INTEGER NOT NULL REFERENCES account ON DELETE CASCADE,
+        PRIMARY KEY (room, starts)
+    ) WITHOUT ROWID;
+    CREATE INDEX slot_of ON slot (account);
     """,
 )
 

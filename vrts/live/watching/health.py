@@ -58,7 +58,7 @@ class HealthPage:
     def now(self) -> Health:
         """Return what is known now; whether the database can be written was tried lately."""
         rooms = self._hub.rooms.values()
-        shared = [room for room in rooms if room.branch is None]  # a private one is its owner's
+        shared = [room for room in rooms if room.shared]  # a private one is its owner's
         dying = any(room.waits is not None and room.offered for room in shared)
         problems = ((UNWRITTEN,) if not self._writes else ()) + ((DYING,) if dying else ())
         return Health(
@@ -67,7 +67,7 @@ class HealthPage:
             up_s=round(time.monotonic() - self._began, 1),
             rooms=len(rooms),
             sessions=sum(room.process is not None and room.process.ready for room in rooms),
-            waiting=sum(room.waits is not None for room in rooms),
+            waiting=sum(room.waits is not None and not room.asleep for room in rooms),
             people=sum(member.door is not None for member in self._hub.everybody()),
         )
 

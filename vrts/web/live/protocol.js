@@ -8,7 +8,9 @@ export const FROM_CLIENT = {
   panic: [],
   request_control: [],
   hand_back: [],
-  raise_hand: ["up"],
+  raise_hand: ["up", "text"],
+  wake: [],
+  point: ["body"],
   say: ["text", "private", "to"],
   noticed: ["id", "closed"],
   note: ["text"],
@@ -16,6 +18,7 @@ export const FROM_CLIENT = {
   program: ["of", "name"],
   go_on_from: ["of", "at_s"],
   hand_over: ["person"],
+  lower_hand: ["room"],
   lock: ["on"],
   freeze: ["on", "everywhere"],
   kick: ["person"],
@@ -75,6 +78,8 @@ export const FROM_SERVER = {
   code: ["code", "url"],
   announced: ["id", "at", "name", "text", "seen", "closed", "people"],
   stopped: ["at", "person", "name", "role"],
+  hands: ["hands", "more", "rooms", "awake"],
+  pointed: ["person", "body"],
   log_file: ["of", "url"],
   closed: ["code", "text"],
 };
@@ -104,8 +109,11 @@ export const LONGEST_NOTE = 200; // characters
  * @typedef {{type: string, [field: string]: any}} Message
  * @typedef {{id: string, name: string, role: "viewer"|"operator"|"supervisor", hand: boolean, muted: boolean,
  *   away: boolean, rate: number}} Person
- * @typedef {{id: string, name: string, scene: string, task: string, people: number, offered: boolean}} RoomEntry
+ * @typedef {{id: string, name: string, scene: string, task: string, people: number, offered: boolean, own: string}} RoomEntry
  * @typedef {{id: string, task: boolean}} SceneEntry
+ * @typedef {{room: string, where: string, name: string, since: number, text: string, place: number, here: boolean,
+ *   helping: string[]}} Hand `since`: Unix time [s]
+ * @typedef {{hands: Hand[], more: number, rooms: number, awake: number}} Hands
  * @typedef {{why: string, help: string, choices: string[]}} NoSession
  * @typedef {{number: number, at: number, person: string, name: string, text: string, private: boolean, to: string,
  *   role: "viewer"|"operator"|"supervisor"|null}} Chat
