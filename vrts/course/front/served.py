@@ -8,8 +8,8 @@ from vrts.course.course import Course
 from vrts.course.front.board_pages import BoardPages
 from vrts.course.front.course_pages import CoursePages
 from vrts.course.front.people_pages import PeoplePages
-from vrts.course.people.watching import WatchedPeople
 from vrts.course.front.robot_pages import RobotPages
+from vrts.course.people.watching import WatchedPeople
 from vrts.live.front.added import Added, Adding
 from vrts.live.front.http import Pages
 from vrts.live.rooms.hub import Hub

@@ -107,9 +107,12 @@ class OwnRobots:
                     if not (leads(member.account, room) or member.account.id in owners):
                         send_away(self._hub, member, "room", "this robot is not yours any more")
                 self._hub.rooms_changed(room)
-            room.own = own._replace(
-                hand_at=room.own.hand_at, hand_by=room.own.hand_by, hand_text=room.own.hand_text
-            )
+            if room.own.hand_by in owners:  # else who raised it was purged, or left the team
+                up = room.own
+                own = own._replace(hand_at=up.hand_at, hand_by=up.hand_by, hand_text=up.hand_text)
+            else:
+                own = own._replace(hand_at=0.0, hand_by=None, hand_text="")
+            room.own = own
             if not own.team and not owners:  # who had it was purged
                 await close(self._hub, room)
 

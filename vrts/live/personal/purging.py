@@ -16,6 +16,7 @@ from vrts.live.personal.names import Names, accounts_of
 from vrts.live.session.growing.folder import FILE, OFF
 from vrts.live.settings import DATABASE, SESSIONS
 from vrts.live.store import log
+from vrts.live.store.course.own_rooms import forget_hands
 from vrts.live.store.database import Connection, opened
 from vrts.live.store.programs import purge_programs
 from vrts.live.store.rooms import PURGES, next_number
@@ -76,6 +77,7 @@ def purge(folder: Path, name: str, key: Path | None, *, mentions: bool = False) 
         for account in accounts:
             purge_programs(connection, account)
             forget_notices(connection, account)
+            forget_hands(connection, account)
             log.purge(connection, account)
         left = _forget_name(connection, names, mentions=mentions)
         connection.execute(_EMPTY)

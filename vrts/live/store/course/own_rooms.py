@@ -35,6 +35,13 @@ def keep_own_room(connection: sqlite3.Connection, own: OwnRoom) -> None:
     )
 
 
+def forget_hands(connection: sqlite3.Connection, account: int) -> None:
+    """Forget what somebody wrote beside a raised hand."""
+    connection.execute(
+        "UPDATE own_room SET hand_at=0, hand_by=NULL, hand_text='' WHERE hand_by=?", (account,)
+    )
+
+
 def own_room_of(connection: sqlite3.Connection, room: str) -> OwnRoom | None:
     """Return whose a room is; None: it is a shared one."""
     row = connection.execute(
