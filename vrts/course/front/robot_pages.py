@@ -10,6 +10,7 @@ from starlette.responses import Response
 from starlette.routing import BaseRoute, Route
 
 from vrts.course.course import Course
+from vrts.course.people.watching import WatchedPeople
 from vrts.course.robots.own_robots import OwnRobots
 from vrts.live.front.bodies import as_json, read_body
 from vrts.live.front.guard import refused
@@ -76,13 +77,13 @@ class AllTold(msgspec.Struct, frozen=True):
 class RobotPages:
     """The handlers."""
 
-    def __init__(self, course: Course, hub: Hub, pages: Pages) -> None:
-        """Serve the robots of a course; `pages` knows whose cookies there are."""
+    def __init__(self, people: WatchedPeople, hub: Hub, pages: Pages) -> None:
+        """Serve the robots of the course that `people` follows; `pages` knows whose cookies are."""
         self._hub = hub
         self._pages = pages
-        self._robots = OwnRobots(course, hub, course.limits)
-        if isinstance(hub.sleeping, Sleeper):
-            hub.sleeping.limits = course.limits
+        self._robots = OwnRobots(people.course, hub)
+        self._follow(people.course)
+        people.changed.append(self._follow)
 
     def routes(self) -> Sequence[BaseRoute]:
         """Return its pages."""
@@ -91,6 +92,11 @@ class RobotPages:
             Route("/course/robots", self.open_robot, methods=["POST"]),
             Route("/course/robots/all", self.all),
         )
+
+    def _follow(self, course: Course) -> None:
+        self._robots.follow(course)
+        if isinstance(self._hub.sleeping, Sleeper):
+            self._hub.sleeping.limits = course.limits
 
     async def open(self) -> None:
         """Begin."""

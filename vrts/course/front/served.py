@@ -58,6 +58,6 @@ def _parts(course: Course, hub: Hub, sessions: Sessions, pages: Pages) -> tuple[
     return (
         PeoplePages(people, hub, pages),
         CoursePages(course, hub, pages),
-        RobotPages(course, hub, pages),
+        RobotPages(people, hub, pages),
         BoardPages(people, hub, pages),
     )

@@ -10,12 +10,12 @@ from vrts.live.rooms.entering import send_away
 from vrts.live.rooms.hub import Hub
 from vrts.live.rooms.opening import close
 from vrts.live.rooms.own.hands import leads
-from vrts.live.rooms.own.limits import OwnLimits
 from vrts.live.rooms.own.making import Making, Wanted
 from vrts.live.rooms.room import Room
 from vrts.live.store.accounts import Account
 from vrts.live.store.course.own_rooms import all_members
 from vrts.live.store.course.people import Person
+from vrts.pipeline.files import CannotRead
 
 AGAIN_S: Final = 5.0  # how often it is looked who is in which team
 MOST_FOUND: Final = 30  # rooms of one answer
@@ -47,13 +47,19 @@ class Found(NamedTuple):
 class OwnRobots:
     """The robots of their own of a course."""
 
-    def __init__(self, course: Course, hub: Hub, limits: OwnLimits) -> None:
+    def __init__(self, course: Course, hub: Hub) -> None:
         """Serve a course."""
         self._course = course
         self._hub = hub
-        self._making = Making(hub, limits)
-        self._titles = {one.id: _title(one) for one in course.assignments}
+        self._making = Making(hub, course.limits)
+        self._titles: dict[str, str] = {}
         self._looked = 0.0
+
+    def follow(self, course: Course) -> None:
+        """Follow a course whose file has changed."""
+        self._course = course
+        self._making.limits = course.limits
+        self._titles = {one.id: _title(one) for one in course.assignments}
 
     def choices(self, account: Account, person: Person | None, now: float) -> list[Choice]:
         """Return the robots that somebody may open; `now` is Unix time [s]."""
@@ -138,7 +144,10 @@ def _belongs(account: Account, person: Person | None) -> bool:
 
 
 def _title(assignment: Assignment) -> str:
-    return facts_of(assignment).title
+    try:
+        return facts_of(assignment).title
+    except CannotRead:  # who marks tells of it
+        return assignment.id
 
 
 def _found(room: Room) -> Found:

@@ -35,7 +35,7 @@ class Making:
     def __init__(self, hub: Hub, limits: OwnLimits) -> None:
         """Make rooms of a hub."""
         self._hub = hub
-        self._limits = limits
+        self.limits = limits
         self._one = asyncio.Lock()
         self._opened = Buckets(*OPENED)
 
@@ -60,7 +60,7 @@ class Making:
             return await self._make(wanted) if found is None else found
 
     async def _make(self, wanted: Wanted) -> Room:
-        hub, limits = self._hub, self._limits
+        hub, limits = self._hub, self.limits
         if hub.settings.place(wanted.scene) is None:
             raise NotObeyed("scene", "there is no such scene in the set")
         if hub.journal.problem:
