@@ -1,27 +1,34 @@
 """What everybody of a course asks first: what it is, and who one is in it."""
 
+import asyncio
 from collections.abc import Sequence
+from contextlib import suppress
+from datetime import datetime
 
 from starlette.requests import Request
 from starlette.responses import Response
 from starlette.routing import BaseRoute, Route
 
 from vrts.course.course import Course
+from vrts.course.facts import Facts, facts_of
 from vrts.course.front.told import AssignmentTold, CourseTold
+from vrts.course.handing.standing import opened
+from vrts.course.people.watching import WatchedPeople
 from vrts.live.front.bodies import as_json
 from vrts.live.front.guard import refused
 from vrts.live.front.http import Pages
 from vrts.live.lasting.clock import wall
 from vrts.live.rooms.hub import Hub
 from vrts.live.store.course.people import person_of
+from vrts.pipeline.files import CannotRead
 
 
 class CoursePages:
     """The handlers."""
 
-    def __init__(self, course: Course, hub: Hub, pages: Pages) -> None:
-        """Tell of a course; `pages` knows whose cookies there are."""
-        self._course = course
+    def __init__(self, people: WatchedPeople, hub: Hub, pages: Pages) -> None:
+        """Tell of the course that `people` follows; `pages` knows whose cookies there are."""
+        self._people = people
         self._hub = hub
         self._pages = pages
 
@@ -45,11 +52,25 @@ class CoursePages:
             return refused(401, "login", "nobody is logged in", "open the join link again")
         person = await self._hub.database.do(lambda c: person_of(c, account.id))
         teaches = account.supervisor or (person is not None and person.rank != "student")
-        now = wall()
+        now, course = wall(), self._people.course
+        every = await asyncio.to_thread(_all_facts, course)
         told = tuple(
-            AssignmentTold(one.id, one.id, 0.0 if one.opens is None else one.opens.timestamp(), 0.0)
-            for one in self._course.assignments
-            if teaches or one.opens is None or one.opens.timestamp() <= now
+            AssignmentTold(one.assignment.id, one.title, _unix(one.opens), _unix(one.due))
+            for one in every
+            if teaches or opened(one, now)
         )
         rank, team = ("", "") if person is None else (person.rank, person.team)
-        return as_json(CourseTold(self._course.title, rank, team, told))
+        return as_json(CourseTold(course.title, rank, team, told))
+
+
+def _all_facts(course: Course) -> list[Facts]:
+    """Return what is known of the assignments; one whose task is gone is left out."""
+    found: list[Facts] = []
+    for one in course.assignments:
+        with suppress(CannotRead):
+            found.append(facts_of(one))
+    return found
+
+
+def _unix(time: datetime | None) -> float:
+    return 0.0 if time is None else time.timestamp()

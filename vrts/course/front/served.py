@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from starlette.routing import BaseRoute
 
 from vrts.course.course import Course
+from vrts.course.front.assignment_pages import AssignmentPages
 from vrts.course.front.board_pages import BoardPages
 from vrts.course.front.course_pages import CoursePages
 from vrts.course.front.people_pages import PeoplePages
@@ -57,7 +58,8 @@ def _parts(course: Course, hub: Hub, sessions: Sessions, pages: Pages) -> tuple[
     people = WatchedPeople(course, hub)
     return (
         PeoplePages(people, hub, pages),
-        CoursePages(course, hub, pages),
+        CoursePages(people, hub, pages),
         RobotPages(people, hub, pages),
+        AssignmentPages(people, hub, pages),
         BoardPages(people, hub, pages),
     )

@@ -79,7 +79,8 @@ class Guard:
             headers[name] = value
         headers["date"] = formatdate(wall(), usegmt=True)  # by which pages show what ends when
         sockets = f" ws://{host} wss://{host}"  # older browsers do not count them as 'self'
-        headers["content-security-policy"] = POLICY + sockets
+        if "content-security-policy" not in headers:  # a page in a sandbox has its own
+            headers["content-security-policy"] = POLICY + sockets
         if "cache-control" not in headers:
             headers["cache-control"] = "no-store"
         if self._secure:

@@ -179,7 +179,8 @@ class Pages:
     def _who_is(self, account: Account) -> Me:
         settings = self._hub.settings
         rooms, may_reset = self._hub.entries(account), settings.students_reset
-        return Me(account.name, account.supervisor, rooms, settings.alone, may_reset)
+        alone, course = settings.alone, self._hub.course
+        return Me(account.name, account.supervisor, rooms, alone, may_reset, course)
 
 
 def _with(page: Content, carried: Carried) -> Content:

@@ -70,6 +70,7 @@ class Hub:
         self.unkept: dict[str, tuple[KeptNotice | None]] = {}  # notices to be kept, by room
         self.passwords = Passwords()
         self.projector = ""
+        self.course = False  # whether a course is served: it has assignments
         self.branching: set[int] = set()  # accounts whose private rooms are being made
         self.branches = Buckets(*BRANCHES)  # how many each account begins
         self.turns = Buckets(*TURNS)  # how often each account asks for control

@@ -231,6 +231,7 @@ STEPS: Final = (
         mark TEXT,
         total TEXT,
         late TEXT NOT NULL DEFAULT '',
+        said TEXT NOT NULL DEFAULT '',
         causes TEXT NOT NULL DEFAULT '[]',
         PRIMARY KEY (account, assignment, number)
     ) WITHOUT ROWID;

@@ -8,6 +8,7 @@
  * @property {string} name
  * @property {boolean} supervisor
  * @property {boolean} resets whether every operator may reset and rewind
+ * @property {boolean} course whether there are assignments
  * @property {boolean} alone whether there is nobody else to come
  * @property {import("./protocol.js").RoomEntry | null} room
  * @property {import("./protocol.js").RoomEntry[]} rooms
@@ -42,7 +43,7 @@
 /** @returns {Known} */
 function nothing() {
   return {
-    connection: "connecting", ended: "", you: "", name: "", supervisor: false, alone: false, resets: false, room: null, rooms: [], projector: "",
+    connection: "connecting", ended: "", you: "", name: "", supervisor: false, alone: false, resets: false, course: false, room: null, rooms: [], projector: "",
     scenes: [], session: -1, sceneUrl: "", alive: false, noSession: null, people: [], barred: [], muted: [], chat: [], status: null, shown: null, programs: [],
     notes: [],
     places: [], contacts: [], near: [], events: [], output: "", task: null, marked: null, wall: [], announced: null, stopped: null, code: { code: "", url: "" },

@@ -4,6 +4,7 @@ What was handed in is a file of the course's folder; here stands what the board 
 """
 
 import sqlite3
+from collections.abc import Iterable
 from functools import lru_cache
 from typing import Final, Literal, NamedTuple
 
@@ -19,6 +20,10 @@ class Loss(NamedTuple):
 
     cause: str  # as the public report says it
     points: str  # a fraction
+    line: int | None = None  # of the program
+    time_s: float | None = None  # moment in the run [s]
+    hint: str = ""
+    why: tuple[str, ...] = ()  # what led to it, the nearest first, as far as the task tells
 
 
 class Attempt(NamedTuple):
@@ -34,10 +39,11 @@ class Attempt(NamedTuple):
     mark: str | None = None  # public, before lateness: a fraction
     total: str | None = None
     late: str = ""  # in words
+    said: str = ""  # in words: what became of it, if it is not marked
     causes: tuple[Loss, ...] = ()
 
 
-_COLUMNS = "account, assignment, number, at, by, digest, state, mark, total, late, causes"
+_COLUMNS = "account, assignment, number, at, by, digest, state, mark, total, late, said, causes"
 
 
 def add_attempt(
@@ -56,22 +62,71 @@ def add_attempt(
     return int(number)
 
 
+def add_attempts(
+    connection: sqlite3.Connection, attempts: Iterable[Attempt], assignment: str
+) -> dict[int, int]:
+    """Write what was handed in for several people at once; return the number each of them has.
+
+    What is there already stays: that of the same person, time and program is the same hand-in.
+    """
+    numbers: dict[int, int] = {}
+    for one in attempts:
+        found = connection.execute(
+            "SELECT number FROM attempt WHERE account=? AND assignment=? AND at=? AND digest=?",
+            (one.account, assignment, one.at, one.digest),
+        ).fetchone()
+        if found is not None:
+            numbers[one.account] = int(found[0])
+            continue
+        by = one.account if one.by is None else one.by
+        number = add_attempt(connection, one.account, assignment, one.at, by, one.digest)
+        numbers[one.account] = number
+        keep_mark(connection, one._replace(assignment=assignment, number=number))
+    return numbers
+
+
 def keep_mark(connection: sqlite3.Connection, attempt: Attempt) -> None:
     """Write what became of an attempt."""
     connection.execute(
-        "UPDATE attempt SET state=?, mark=?, total=?, late=?, causes=?"
+        "UPDATE attempt SET state=?, mark=?, total=?, late=?, said=?, causes=?"
         " WHERE account=? AND assignment=? AND number=?",
         (
             attempt.state,
             attempt.mark,
             attempt.total,
             attempt.late,
+            attempt.said,
             msgspec.json.encode(attempt.causes).decode(),
             attempt.account,
             attempt.assignment,
             attempt.number,
         ),
     )
+
+
+def keep_public_mark(connection: sqlite3.Connection, marked: Attempt) -> None:
+    """Write what became of a program, to all attempts with it that wait for their mark."""
+    connection.execute(
+        "UPDATE attempt SET state=?, mark=?, total=?, said=?, causes=?"
+        " WHERE assignment=? AND digest=? AND state='waiting'",
+        (
+            marked.state,
+            marked.mark,
+            marked.total,
+            marked.said,
+            msgspec.json.encode(marked.causes).decode(),
+            marked.assignment,
+            marked.digest,
+        ),
+    )
+
+
+def waiting(connection: sqlite3.Connection) -> list[Attempt]:
+    """Return the attempts that wait for their mark, in the order of time."""
+    rows = connection.execute(
+        f"SELECT {_COLUMNS} FROM attempt WHERE state='waiting' ORDER BY at, account"  # noqa: S608
+    )
+    return [_attempt(row) for row in rows]
 
 
 def attempts_of(

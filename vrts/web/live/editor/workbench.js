@@ -54,6 +54,7 @@ export function openWorkbench(app, panel) {
   const run = button("Run", () => void toRobot(true), { class: "main", title: "Load, then EXECUTE (Ctrl+Enter)", "aria-describedby": "editor-why" });
   const stop = button("Abort", () => act({ type: "line", line: "ABORT" }), { "aria-describedby": "editor-why" });
   const lay = button("Lay out", () => void layOut(), { title: "Indent and space it as vrts does (Shift+Alt+F)" });
+  const hand = button("Hand in …", () => void handOver(), { title: "Hand in what is in the editor", hidden: !store.now.course });
   const why = make("p", { class: "why", id: "editor-why", role: "status" });
   const keys = make("details", {}, make("summary", { text: "Keys" }),
     make("dl", {}, ...KEYS.flatMap(([key, words]) => [make("dt", {}, make("kbd", { text: key })), make("dd", { text: words })])));
@@ -63,7 +64,7 @@ export function openWorkbench(app, panel) {
     make("div", { class: "row" }, name, shelf, save),
     host,
     make("p", { class: "told" }, state, problems, helping, wake),
-    make("div", { class: "row" }, run, load, stop, lay),
+    make("div", { class: "row" }, run, load, stop, lay, hand),
     why, keys,
   );
 
@@ -258,6 +259,18 @@ export function openWorkbench(app, panel) {
       toasts.warn(/** @type {Error} */ (error).message);
     }
     told();
+  }
+
+  /** Hand in what is in the editor, after a question. */
+  async function handOver() {
+    try {
+      const { allWork, handIn, takenWords } = await import("../panels/assignments.js");
+      const taken = await handIn(await allWork(), store.now.room?.scene ?? "", text(), opened.name || fileName());
+      if (taken) toasts.tell(takenWords(taken));
+    } catch (error) {
+      toasts.warn(/** @type {Error} */ (error).message);
+    }
+    view.focus();
   }
 
   /** Say whether the text is kept. */

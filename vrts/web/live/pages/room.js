@@ -44,7 +44,7 @@ import { mountViews } from "../panels/views.js";
 export function showRoom(me, wanted) {
   byId("room").hidden = false;
   const app = started(wanted, false);
-  app.store.set({ name: me.name, supervisor: me.supervisor, alone: me.alone, resets: me.students_reset, rooms: me.rooms });
+  app.store.set({ name: me.name, supervisor: me.supervisor, alone: me.alone, resets: me.students_reset, course: Boolean(me.course), rooms: me.rooms });
   const notices = mountNotices(barOf("room"), app);
   const { panic } = app;
   app.panic = () => {
@@ -53,6 +53,7 @@ export function showRoom(me, wanted) {
     else if (connection === "open") app.toasts.warn("the room has no session now");
     panic();
   };
+  byId("work-link").hidden = !me.course;
   mountTop(app);
   mountViews(app, mountLayout());
   mountSelection(app.world);

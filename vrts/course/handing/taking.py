@@ -1,0 +1,221 @@
+"""Takes hand-ins: one after another, written before they are acknowledged, mended at the start."""
+
+import asyncio
+import hashlib
+import logging
+from datetime import datetime
+from typing import Final, NamedTuple
+
+from vrts.course.course import Assignment, Course
+from vrts.course.facts import Facts, facts_of
+from vrts.course.handing import deposit
+from vrts.course.handing.deposit import HandIn
+from vrts.course.handing.names import folder_of, stamp_of, time_of, zone_of
+from vrts.course.handing.standing import Refusal, Standing, standing
+from vrts.live.session.setting import has_variants
+from vrts.live.store.course.attempts import (
+    Attempt,
+    add_attempts,
+    all_attempts,
+    attempts_of,
+    keep_mark,
+)
+from vrts.live.store.course.people import Person, people, person_of
+from vrts.live.store.database import Connection, Database
+from vrts.pipeline.files import TASK_FILE, CannotRead
+
+GONE: Final = "the file is not in the folder of the hand-ins any more"
+NOT_LISTED: Final = Refusal(
+    "role",
+    "only students on the list of the course hand in",
+    "ask your teacher to put you on the list",
+)
+TOO_SOON: Final = Refusal("limit", "you handed in just now", "wait a few seconds")
+CHANGED: Final = "changed"
+_log = logging.getLogger("vrts.live")
+
+
+class Taken(NamedTuple):
+    """What was handed in."""
+
+    number: int  # of the attempt
+    at: int  # Unix time [s]
+    late: str  # what lateness costs, in words
+    again: bool  # the last attempt is the same program: nothing was written
+
+
+class Taking:
+    """The one who writes hand-ins of a course."""
+
+    def __init__(self, course: Course, database: Database) -> None:
+        """Take a course; `mend` comes first."""
+        self.course = course  # as its file is now
+        self._database = database
+        self._writing = asyncio.Lock()
+
+    def assignment(self, id_: str) -> Assignment | None:
+        """Return an assignment by its id."""
+        return next((one for one in self.course.assignments if one.id == id_), None)
+
+    def standing(self, facts: Facts, used: int, at: float, due: datetime | None = None) -> Standing:
+        """Return how an assignment stands; `used`: attempts made, `at`: Unix time [s]."""
+        varied = has_variants(facts.assignment.task / TASK_FILE)
+        return standing(facts, used, at, due=due, varied=varied)
+
+    async def take(
+        self, account: int, assignment: Assignment, program: bytes, at: float, seen: tuple[int, str]
+    ) -> Taken | Refusal:
+        """Write a program that somebody hands in; it is acknowledged when this returns.
+
+        Args:
+            account: Who hands in.
+            assignment: At which.
+            program: The bytes.
+            at: Now, Unix time [s].
+            seen: The number of the attempt and the words about lateness that were agreed to.
+
+        Raises:
+            OSError: Nothing could be written.
+            CannotRead: The task is not there any more.
+        """
+        async with self._writing:
+            facts = await asyncio.to_thread(facts_of, assignment)
+            now = int(at)
+            looked = await self._database.do(lambda c: _look(c, account, assignment))
+            if looked is None:
+                return NOT_LISTED
+            members, before, latest = looked
+            digest = hashlib.sha256(program).hexdigest()
+            last = before[-1] if before else None
+            if last is not None and last.digest == digest:
+                return Taken(last.number, int(last.at), last.late, again=True)
+            used = max((one.number for one in before), default=0)
+            stands = await asyncio.to_thread(self.standing, facts, used, float(now))
+            if stands.refusal is not None:
+                return stands.refusal
+            if seen != (used + 1, stands.late):
+                words = stands.late or "on time"
+                text = f"this would be attempt {used + 1}, {words}: it was another a moment ago"
+                return Refusal(CHANGED, text, "look again, and hand in once more")
+            if latest >= now:  # folders of attempts are named by the second
+                return TOO_SOON
+            hand_in = HandIn(
+                assignment.id,
+                now,
+                stamp_of(now, zone_of(facts)),
+                account,
+                tuple((one.account, folder_of(one.key, one.email)) for one in members),
+                stands.late,
+                program,
+            )
+            pending = await asyncio.to_thread(deposit.begin, self.course.handed_in, hand_in)
+            numbers = await self._finish(hand_in)
+            await asyncio.to_thread(deposit.done, pending)
+            return Taken(numbers[account], now, stands.late, again=False)
+
+    async def mend(self) -> None:
+        """Do what a crash has left undone, and make files and rows fit each other."""
+        home = self.course.handed_in
+        for path, hand_in in await asyncio.to_thread(lambda: list(deposit.unfinished(home))):
+            await self._finish(hand_in)
+            await asyncio.to_thread(deposit.done, path)
+        for assignment in self.course.assignments:
+            try:
+                await self._fit(await asyncio.to_thread(facts_of, assignment))
+            except CannotRead as problem:
+                _log.warning("hand-ins of `%s`: %s", assignment.id, problem.message)
+
+    async def program(self, facts: Facts, attempt: Attempt) -> bytes | None:
+        """Return the program of an attempt; None: it is not as it was handed in, or gone."""
+        person = await self._database.do(lambda c: person_of(c, attempt.account))
+        if person is None:
+            return None
+        folder = folder_of(person.key, person.email)
+        stamp = stamp_of(attempt.at, zone_of(facts))
+        data = await asyncio.to_thread(
+            deposit.program_of, self.course.handed_in, attempt.assignment, folder, stamp
+        )
+        same = data is not None and hashlib.sha256(data).hexdigest() == attempt.digest
+        return data if same else None
+
+    async def _finish(self, hand_in: HandIn) -> dict[int, int]:
+        await asyncio.to_thread(deposit.place, self.course.handed_in, hand_in)
+
+        def write(connection: Connection) -> dict[int, int]:
+            there = {one.account for one in people(connection)}
+            rows = [_row(hand_in, account) for account, _ in hand_in.people if account in there]
+            return add_attempts(connection, rows, hand_in.assignment)
+
+        return await self._database.do(write)
+
+    async def _fit(self, facts: Facts) -> None:
+        """Write rows of files without one; say of rows that wait for a file that is gone."""
+        id_, home, zone = facts.assignment.id, self.course.handed_in, zone_of(facts)
+
+        def look() -> dict[tuple[str, float], str]:
+            return {
+                (folder, at): hashlib.sha256(path.read_bytes()).hexdigest()
+                for folder, stamp, path in deposit.found(home, id_)
+                if (at := time_of(stamp, zone)) is not None
+            }
+
+        there = await asyncio.to_thread(look)
+        stands = await asyncio.to_thread(
+            lambda: {at: self.standing(facts, 0, at).late for _, at in there}
+        )
+
+        def fit(connection: Connection) -> None:
+            known = {folder_of(one.key, one.email): one.account for one in people(connection)}
+            files = {
+                (known[folder], at): digest
+                for (folder, at), digest in there.items()
+                if folder in known
+            }
+            rows = {(one.account, one.at): one for one in all_attempts(connection, id_)}
+            for (account, at), digest in sorted(files.items(), key=lambda one: one[0][1]):
+                if (account, at) not in rows:
+                    row = Attempt(account, id_, 0, at, account, digest, "waiting")
+                    add_attempts(connection, [row._replace(late=stands[at])], id_)
+            for (account, at), row in rows.items():
+                if row.state == "waiting" and (account, at) not in files:
+                    keep_mark(connection, row._replace(state="failed", said=GONE))
+
+        await self._database.do(fit)
+
+
+def _row(hand_in: HandIn, account: int) -> Attempt:
+    return Attempt(
+        account,
+        hand_in.assignment,
+        0,
+        float(hand_in.at),
+        hand_in.by,
+        hand_in.digest,
+        "waiting",
+        late=hand_in.late,
+    )
+
+
+def _look(
+    connection: Connection, account: int, assignment: Assignment
+) -> tuple[list[Person], list[Attempt], float] | None:
+    """Return for whom somebody hands in, what they have handed in, and when any of them did last.
+
+    None: they may not hand in.
+    """
+    person = person_of(connection, account)
+    if person is None or person.rank != "student" or not person.listed:
+        return None
+    members = [person]
+    if assignment.team and person.team:
+        members += [
+            one
+            for one in people(connection)
+            if one.team == person.team
+            and one.rank == "student"
+            and one.listed
+            and one.account != account
+        ]
+    every = [attempts_of(connection, one.account, assignment.id) for one in members]
+    latest = max((one.at for own in every for one in own), default=0.0)
+    return members, every[0], latest
