@@ -134,9 +134,7 @@ class AssignmentPages:
                     told.append(await asyncio.to_thread(self._work, facts, mine, at, places, names))
         rank, team = ("", "") if person is None else (person.rank, person.team)
         hands_in = person is not None and person.rank == "student" and person.listed
-        return as_json(
-            AllWorkTold(course.title, account.name, rank, team, hands_in, tuple(told))
-        )
+        return as_json(AllWorkTold(course.title, account.name, rank, team, hands_in, tuple(told)))
 
     async def text(self, request: Request) -> Response:
         """Tell what students get of a task."""

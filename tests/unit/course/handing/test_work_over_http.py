@@ -2,6 +2,7 @@
 
 import json
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
@@ -105,7 +106,9 @@ def test_storms_and_floods_are_refused(server: LiveServer, cookies: tuple[str, s
     flood = json.dumps(
         {"assignment": "cans", "text": "x" * 10_000_000, "attempt": 1, "late": ""}
     ).encode()
-    assert server.request("POST", "/course/work/hand-in", flood, cookie=other).status == 413
+    with suppress(ConnectionError):  # it hears no more once it is too much
+        assert server.request("POST", "/course/work/hand-in", flood, cookie=other).status == 413
+    assert work(server, other).get("attempts", []) == []
     statuses = [
         server.request("POST", "/course/work/hand-in", {"no": 1}, cookie=other).status
         for _ in range(12)

@@ -39,11 +39,11 @@ class Attempt(NamedTuple):
     mark: str | None = None  # public, before lateness: a fraction
     total: str | None = None
     late: str = ""  # in words
-    said: str = ""  # in words: what became of it, if it is not marked
     causes: tuple[Loss, ...] = ()
+    said: str = ""  # in words: what became of it, where losses do not tell
 
 
-_COLUMNS = "account, assignment, number, at, by, digest, state, mark, total, late, said, causes"
+_COLUMNS = "account, assignment, number, at, by, digest, state, mark, total, late, causes, said"
 
 
 def add_attempt(
@@ -163,5 +163,6 @@ def state_of(connection: sqlite3.Connection) -> tuple[object, ...]:
 
 @lru_cache(maxsize=REMEMBERED)
 def _attempt(row: tuple[object, ...]) -> Attempt:
-    causes = msgspec.json.decode(str(row[-1]), type=tuple[Loss, ...])
-    return msgspec.convert((*row[:-1], causes), Attempt)
+    *first, causes, said = row
+    found = msgspec.json.decode(str(causes), type=tuple[Loss, ...])
+    return msgspec.convert((*first, found, said), Attempt)
