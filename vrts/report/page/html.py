@@ -64,10 +64,21 @@ def raw(name: str, content: str, /, **attributes: Attribute) -> Markup:
 
 def json_script(identifier: str, data: Mapping[str, object]) -> Markup:
     """Return data for scripts to read: JSON in which no character can end the element."""
+    return written_script(identifier, {key: json_text(value) for key, value in data.items()})
+
+
+def written_script(identifier: str, data: Mapping[str, str]) -> Markup:
+    """Return the same where `json_text` has written each value already."""
+    members = ",".join(f"{json_text(key)}:{text}" for key, text in data.items())
+    return raw("script", f"{{{members}}}", type="application/json", id=identifier)
+
+
+def json_text(data: object) -> str:
+    """Return JSON in which no character can end an element."""
     text = json.dumps(data, ensure_ascii=True, separators=(",", ":"), allow_nan=False)
     for character in "<>&":
         text = text.replace(character, f"\\u{ord(character):04x}")
-    return raw("script", text, type="application/json", id=identifier)
+    return text
 
 
 class MarkupPalette(Palette):

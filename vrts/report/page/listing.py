@@ -2,11 +2,14 @@
 
 import re
 from collections.abc import Sequence
+from functools import lru_cache
 
 from vrts.base.diagnostic import Diagnostic
 from vrts.base.source import SourceFile
 from vrts.report.page.html import Markup, element, joined
 from vrts.report.plain import shown
+
+KEPT = 4096  # lines: a program is shown to two readers, and a class has many lines in common
 
 _TOKEN = re.compile(
     r"""(?P<comment>;.*)|(?P<string>"[^"]*"?)|(?P<number>(?<![\w.$])\d+(?:\.\d*)?)"""
@@ -28,7 +31,7 @@ def listing(source: SourceFile, findings: Sequence[Diagnostic]) -> Markup:
 
 
 def _line(number: int, text: str, found: tuple[int, Diagnostic] | None) -> Markup:
-    code = element("code", _coloured(shown(text).text))
+    code = _code(text)
     if found is None:
         return element("li", code, id=f"L{number}")
     index, d = found
@@ -36,6 +39,11 @@ def _line(number: int, text: str, found: tuple[int, Diagnostic] | None) -> Marku
         "a", "●", href=f"#finding-{index}", class_="dot", title=d.headline, aria_label=d.headline
     )
     return element("li", code, link, id=f"L{number}", class_=f"has-{d.severity.value}")
+
+
+@lru_cache(maxsize=KEPT)
+def _code(text: str) -> Markup:
+    return element("code", _coloured(shown(text).text))
 
 
 def _coloured(text: str) -> Markup:

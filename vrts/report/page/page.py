@@ -16,12 +16,12 @@ from vrts.report.page.contacts import contacts_section
 from vrts.report.page.document import document_parts
 from vrts.report.page.findings import MOST_FINDINGS, findings_section
 from vrts.report.page.future_cards import futures_section
-from vrts.report.page.html import Markup, element, json_script, raw
+from vrts.report.page.html import Markup, element, json_text, raw, written_script
 from vrts.report.page.listing import listing
 from vrts.report.page.replay_data import contact_rows, near_rows, run_data
 from vrts.report.page.stills import MOMENT
 from vrts.report.page.top import first_screen_section
-from vrts.report.page.viewer_data import scene_data
+from vrts.report.page.viewer_data import scene_data, scene_text
 from vrts.report.plain import one_line
 from vrts.report.quantities import millimetres, seconds
 from vrts.report.voices.rows import Voice, voice_rows
@@ -162,10 +162,15 @@ def replay_scripts(a: Assessment, voices: Sequence[Voice] = ()) -> list[Markup]:
     """Return the data of the replay and the modules that show it, the same for all readers."""
     if a.run is None or a.scene is None:
         return []
-    data = replay_data(a)
+    screen = first_screen(a)
+    data = _of_run(a, screen.moment.time_s if screen.moment else None)
     if voices:
         data["voices"] = voice_rows(voices)
-    return [json_script("data", data), *modules()]
+    written = {key: json_text(value) for key, value in data.items()}
+    return [
+        written_script("data", {"scene": scene_text(a.scene, a.task), **written}),
+        *modules(),
+    ]
 
 
 def replay_data(a: Assessment) -> dict[str, object]:
@@ -176,11 +181,15 @@ def replay_data(a: Assessment) -> dict[str, object]:
 
 def recording(a: Assessment, moment_s: float | None) -> dict[str, object]:
     """Return the same, with the time [s] at which a reader begins; None: at the beginning."""
-    assert a.run is not None
     assert a.scene is not None
+    return {"scene": scene_data(a.scene, a.task), **_of_run(a, moment_s)}
+
+
+def _of_run(a: Assessment, moment_s: float | None) -> dict[str, object]:
+    """Return the same without the scene."""
+    assert a.run is not None
     report = a.judgement.collisions if a.judgement else None
     return {
-        "scene": scene_data(a.scene, a.task),
         "run": run_data(a.run, a.source),
         "contacts": contact_rows(report.contacts, a.source) if report else [],
         "grazes": contact_rows(report.grazes, a.source) if report else [],

@@ -15,6 +15,7 @@ import numpy as np
 import numpy.typing as npt
 
 from vrts.base.source import SourceFile
+from vrts.check.collision.of_run import motion_of
 from vrts.check.verdict import ContactEvent, NearMiss
 from vrts.engine.memory.events import Cause
 from vrts.engine.memory.records import COORDINATES, GRAVITY, Placement, Segment
@@ -45,7 +46,7 @@ def run_data(run: Run, source: SourceFile | None) -> Json:
         "horizon": _end(run),
         "ended": run.ended_s,
         "gravity": GRAVITY,
-        "segments": segment_data(run.timeline.segments_or_start),
+        "segments": _segments(run),
         "motions": [{"start": seconds(m.start_s), "end": seconds(m.end_s)} for m in run.motions],
         "tools": _tools(run),
         "placements": {
@@ -124,6 +125,32 @@ def segment_data(segments: Sequence[Segment]) -> Json:
     lengths = np.array([segment.end_s - segment.start_s for segment in segments])
     counts, coefficients = _of_share(rows, np.repeat(lengths, COORDINATES))
     knots = np.array([segments[0].start_s, *(segment.end_s for segment in segments)])
+    return _sent(knots, counts, coefficients)
+
+
+def _segments(run: Run) -> Json:
+    """Return the same of a run, from the arrays that checks have made of it already."""
+    segments, motion = run.timeline.segments_or_start, motion_of(run)
+    if len(motion.starts) != len(segments):  # some take no time, and the arrays leave them out
+        return segment_data(segments)
+    table = motion.powers
+    if motion.high is not None:
+        high = motion.high.value.powers
+        table = np.zeros((*table.shape[:2], high.shape[2]))
+        table[:, :, : motion.powers.shape[2]] = motion.powers
+        table[motion.high_at >= 0] = high
+    table = table.reshape(len(segments) * COORDINATES, -1)
+    each = np.repeat(motion.ends - motion.starts, COORDINATES)
+    powers, scales = np.arange(table.shape[1]), np.ones(table.shape)
+    for power in powers[1:].tolist():
+        np.multiply(scales[:, power - 1], each, out=scales[:, power])
+    last = np.where(table != 0.0, powers, 0).max(axis=1)
+    sent = powers <= last[:, None]
+    knots = np.concatenate([motion.starts[:1], motion.ends])
+    return _sent(knots, last + 1, table[sent] * scales[sent])
+
+
+def _sent(knots: Array, counts: Indices, coefficients: Array) -> Json:
     return {
         "knots": _packed(knots, "<f8"),
         "counts": _packed(counts, "u1"),

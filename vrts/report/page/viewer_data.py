@@ -7,6 +7,7 @@ Boxes and cylinders stay what they are, and the viewer rounds their edges. As tr
 file the same scenes are up to four times as large, compressed or not, and want a loader besides.
 """
 
+from collections import deque
 from collections.abc import Sequence
 from functools import cache
 from typing import TypeAlias
@@ -17,6 +18,7 @@ from vrts.check.task.task import Task
 from vrts.geometry.mesh import surface
 from vrts.geometry.shapes import Box, Cylinder, Hull, Piece
 from vrts.geometry.support import bounds
+from vrts.report.page.html import json_text
 from vrts.robots.kinematics.chain import fixed_frames
 from vrts.robots.model import Robot, flange_in_hand
 from vrts.scene.model import Body, Mobility, Scene
@@ -24,6 +26,9 @@ from vrts.scene.model import Body, Mobility, Scene
 Json: TypeAlias = dict[str, object]
 
 DECIMALS = 6  # 1 µm
+KEPT = 4  # scenes as text
+
+_written: deque[tuple[Scene, Task | None, str]] = deque(maxlen=KEPT)
 
 
 def scene_data(scene: Scene, task: Task | None) -> Json:
@@ -40,6 +45,16 @@ def scene_data(scene: Scene, task: Task | None) -> Json:
         "goals": [goal for each in goals for goal in _goals(each)],
         "vias": [{"name": v.name, "point": _rounded(v.point), "radius": v.radius} for v in vias],
     }
+
+
+def scene_text(scene: Scene, task: Task | None) -> str:
+    """Return the same as JSON, which is kept: a whole class has one scene and one task."""
+    for of_scene, of_task, text in _written:
+        if of_scene is scene and of_task is task:
+            return text
+    text = json_text(scene_data(scene, task))
+    _written.append((scene, task, text))
+    return text
 
 
 def _goals(goal: Goal) -> list[Json]:

@@ -100,8 +100,10 @@ def draw(
     part = buffer[top * n : bottom * n, left * n : right * n]
     number = numbers(part)
     solid = shown.seen.solid.take(number)
-    keep = outlines(part, number, solid, shown.seen, (left * n, (row + top) * n))
-    chosen = _chosen(number, solid, keep, wanted[top:bottom, left:right])
+    pixels = wanted[top:bottom, left:right]
+    fine = None if pixels.all() else pixels.repeat(n, axis=0).repeat(n, axis=1)
+    keep = outlines(part, number, solid, shown.seen, (left * n, (row + top) * n), fine)
+    chosen = _chosen(number, solid, keep, pixels)
     whole, rest = (
         (pixel // (right - left) + top) * screen.width + pixel % (right - left) + left
         for pixel in (chosen.whole, chosen.rest)

@@ -12,7 +12,12 @@ STEP = 0.05  # share of the depth from which on a solid ends before itself
 
 
 def outlines(
-    buffer: Indices, number: Numbers, solid: Numbers, seen: Projected, corner: tuple[int, int]
+    buffer: Indices,
+    number: Numbers,
+    solid: Numbers,
+    seen: Projected,
+    corner: tuple[int, int],
+    wanted: Mask | None = None,
 ) -> Array32:
     """Return how much of its light every pixel of a buffer keeps.
 
@@ -22,11 +27,14 @@ def outlines(
         solid: The solids in it.
         seen: What the screen shows.
         corner: Column and row of the first pixel on the screen.
+        wanted: Which pixels are asked about; None: all.
     """
     keep = np.ones(buffer.shape, np.float32)
     steps = ((np.s_[:, 1:], np.s_[:, :-1], (1, 0)), (np.s_[1:], np.s_[:-1], (0, 1)))
     for ahead, behind, step in steps:
         differs = number[ahead] != number[behind]
+        if wanted is not None:
+            differs &= wanted[ahead] | wanted[behind]
         y, x = np.nonzero(differs)
         after, before = buffer[ahead][y, x], buffer[behind][y, x]
         other = solid[ahead][y, x] != solid[behind][y, x]

@@ -1,16 +1,45 @@
 """How the viewer arranges a recording."""
 
 from functools import lru_cache
+from typing import cast
 
+import rerun as rr
 import rerun.blueprint as rrb
+from rerun.chunk import Chunk
 
 from vrts.base.pose import Vector
 from vrts.report.recording.names import TIMELINE
+from vrts.report.recording.static import static_chunk
 
 EYE: Vector = (2.9, -2.3, 0.9)  # in W [m]
 TARGET: Vector = (0.55, 0.0, -0.1)
 BACKGROUND = (58, 66, 77)
 ROOM = 1.06  # of an axis: the curve ends a little before the frame
+
+
+class Written(rrb.Blueprint):
+    """A blueprint that is put into words once, and told to every recording."""
+
+    def __init__(self, whole: rrb.Blueprint) -> None:
+        """Take a blueprint; no recording is opened, no thread started."""
+        self.__dict__.update(vars(whole))
+        words = _Words()
+        whole._log_to_stream(cast(rr.RecordingStream, words))  # pyright: ignore[reportPrivateUsage]
+        self._chunks = words.chunks
+
+    def _log_to_stream(self, stream: rr.RecordingStream) -> None:
+        rr.send_chunks(self._chunks, recording=stream)
+
+
+class _Words:
+    """What a blueprint would say to a recording."""
+
+    def __init__(self) -> None:
+        self.chunks: list[Chunk] = []
+
+    def log(self, path: str, thing: rr.AsComponents) -> None:
+        first = rr.TimeColumn("blueprint", sequence=[0])
+        self.chunks.append(static_chunk(path, thing, at=[first]))
 
 
 @lru_cache(maxsize=8)
@@ -47,7 +76,7 @@ def blueprint(opening_max_mm: float) -> rrb.Blueprint:
         _curves("clearance", "Clearance [mm]", None),
         _curves("hand", "Hand opening [mm]", (0.0, ROOM * opening_max_mm)),
     ]
-    return rrb.Blueprint(
+    whole = rrb.Blueprint(
         rrb.Horizontal(
             rrb.Vertical(scene, lanes, log, row_shares=[6, 2, 2]),
             rrb.Vertical(
@@ -60,6 +89,7 @@ def blueprint(opening_max_mm: float) -> rrb.Blueprint:
         rrb.TimePanel(timeline=TIMELINE, state="collapsed"),
         collapse_panels=True,
     )
+    return Written(whole)
 
 
 def _curves(path: str, name: str, levels: tuple[float, float] | None) -> rrb.TimeSeriesView:

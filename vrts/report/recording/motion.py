@@ -1,6 +1,7 @@
 """Where links, hand and bodies are: poses only while they move, and the way of the tool."""
 
-from typing import TypeAlias
+from collections.abc import Sequence
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -35,31 +36,52 @@ def send_motion(a: Assessment, times: Array, states: Array) -> None:
     rotations, origins = link_frames(robot.arm, states[:, :6])
     changes = np.abs(np.diff(states, axis=0)) > STILL
     first = np.ones(1, bool)
-    for link in robot.arm.links:
-        k = link.joint
-        if link.pieces:
-            moving = np.concatenate([first, changes[:, :k].any(axis=1)])
-            _send(of_robot(link.name), times, rotations[k], origins[k], moving)
+    moving = np.arange(len(times)) == 0
+    tracks: list[_Track] = []
+    for k in range(len(rotations)):
+        if k:
+            moving = moving | np.concatenate([first, changes[:, k - 1]])
+        names = [link.name for link in robot.arm.links if link.joint == k and link.pieces]
+        tracks += [_Track(of_robot(name), rotations[k], origins[k], moving) for name in names]
     flange_r, flange_p = flange_of(robot.arm, rotations[6], origins[6])
-    carried = np.concatenate([first, changes[:, :6].any(axis=1)])
-    _send(of_robot("hand"), times, flange_r, flange_p, carried)
-    _fingers(robot.gripper, times, states[:, 6], np.concatenate([first, changes[:, 6]]))
-    _tool_path(a, times, flange_r, flange_p, carried)
+    tracks.append(_Track(of_robot("hand"), flange_r, flange_p, moving))
+    _tool_path(a, times, flange_r, flange_p, moving)
     for name, track in a.run.placements.items():
         turn, at = followed(track, times, flange_r, flange_p)
-        moving = (turn[1:] != turn[:-1]).any(axis=(1, 2)) | (at[1:] != at[:-1]).any(axis=1)
-        _send(of_body(name), times, turn, at, np.concatenate([first, moving]))
+        places = np.concatenate([turn.reshape(-1, 9), at], axis=1)
+        moved = np.concatenate([first, (places[1:] != places[:-1]).any(axis=1)])
+        tracks.append(_Track(of_body(name), turn, at, moved))
+    _send(tracks, times)
+    _fingers(robot.gripper, times, states[:, 6], np.concatenate([first, changes[:, 6]]))
 
 
-def _send(path: str, times: Array, rotations: Array, origins: Array, moving: Mask) -> None:
-    rr.send_columns(
-        path,
-        at_times(times[moving]),
-        rr.Transform3D.columns(
-            translation=origins[moving].astype(np.float32),
-            quaternion=quaternions(rotations[moving]),
-        ),
-    )
+class _Track(NamedTuple):
+    """Where something is in W at all times, and when it has just moved."""
+
+    path: str
+    rotations: Array  # (n, 3, 3)
+    origins: Array  # (n, 3) [m]
+    moving: Mask  # (n,)
+
+
+def _send(tracks: Sequence[_Track], times: Array) -> None:
+    """Send tracks; those that move together share what tells the times."""
+    rows = [np.flatnonzero(track.moving) for track in tracks]
+    turns = [track.rotations.take(at, axis=0) for track, at in zip(tracks, rows, strict=True)]
+    ends = np.cumsum([len(at) for at in rows])
+    columns: dict[bytes, list[rr.TimeColumn]] = {}
+    each = np.split(quaternions(np.concatenate(turns)), ends[:-1])
+    for track, at, turn in zip(tracks, rows, each, strict=True):
+        key = at.tobytes()
+        if key not in columns:
+            columns[key] = at_times(times[at])
+        rr.send_columns(
+            track.path,
+            columns[key],
+            rr.Transform3D.columns(
+                translation=track.origins.take(at, axis=0).astype(np.float32), quaternion=turn
+            ),
+        )
 
 
 def _fingers(gripper: Gripper, times: Array, opening: Array, moving: Mask) -> None:
@@ -85,7 +107,7 @@ def _tool_path(
     starts = np.array([m.start_s for m in a.run.motions])
     tip = np.array([tool.translation for tool in tools])
     at = tip[np.searchsorted(starts, times, side="right")]
-    points = flange_p + np.einsum("nij,nj->ni", flange_r, at)
+    points = flange_p + (flange_r @ at[:, :, None])[:, :, 0]
     keep = carried | np.concatenate([[True], (at[1:] != at[:-1]).any(axis=1)])
     strip = rr.LineStrips3D(
         [points[keep].astype(np.float32)], colors=[PATH_COLOR], radii=[PATH_RADIUS_M]

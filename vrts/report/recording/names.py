@@ -32,6 +32,8 @@ def of_body(name: str) -> str:
 
 def at_times(times: Array | list[float]) -> list[rr.TimeColumn]:
     """Return the column of times [s] of rows."""
+    if isinstance(times, list):  # rerun rounds these one by one
+        times = np.rint(1e9 * np.array(times, float)).astype("timedelta64[ns]")
     return [rr.TimeColumn(TIMELINE, duration=times)]
 
 

@@ -1,6 +1,6 @@
 """What a recording holds without a time, ready to be sent: it can be made before one is opened."""
 
-from collections.abc import Sized
+from collections.abc import Sequence, Sized
 from functools import lru_cache
 from typing import cast
 
@@ -10,15 +10,15 @@ from rerun.chunk import Chunk
 KEPT = 64  # names of curves
 
 
-def static_chunk(path: str, *things: rr.AsComponents) -> Chunk:
-    """Return what is so at all times at a path."""
+def static_chunk(path: str, *things: rr.AsComponents, at: Sequence[rr.TimeColumn] = ()) -> Chunk:
+    """Return what is so at all times at a path, or from one time on."""
     columns: list[rr.ComponentColumn] = []
     for thing in things:
         for batch in thing.as_component_batches():
             values = cast(Sized, batch.as_arrow_array())  # pyright: ignore[reportUnknownMemberType]
             name = batch.component_descriptor()
             columns.append(rr.ComponentColumn(name, batch, lengths=[len(values)]))
-    return Chunk.from_columns(path, [], columns)
+    return Chunk.from_columns(path, at, columns)
 
 
 @lru_cache(maxsize=KEPT)

@@ -24,16 +24,21 @@ def bends(times: Array, values: Array, tolerance: float) -> Mask:
         tolerance: In the unit of the values.
     """
     keep = np.ones(len(times), np.bool_)
+    curves = np.ascontiguousarray(values.T)
     size = 2
     while size <= LONGEST:
-        ends = np.arange(0, len(times), size)
-        inner = ends[:-1, None] + np.arange(1, size)
-        if not inner.size:
+        count = (len(times) - 1) // size
+        if not count:
             break
-        start, end = ends[:-1], ends[1:]
-        share = (times[inner] - times[start, None]) / (times[end] - times[start])[:, None]
-        line = values[start, None] + share[:, :, None] * (values[end] - values[start])[:, None]
-        straight = (np.abs(values[inner] - line) <= tolerance).all(axis=(1, 2))
-        keep[inner[straight]] = False
+        rows = slice(0, count * size + 1, size)
+        start_s, start = times[rows], curves[:, rows]
+        length_s, rise = np.diff(start_s), np.diff(start)
+        start_s, start = start_s[:-1], start[:, :-1]
+        straight = np.ones(count, np.bool_)
+        for k in range(1, size):
+            inner = slice(k, count * size, size)
+            line = start + (times[inner] - start_s) / length_s * rise
+            straight &= (np.abs(curves[:, inner] - line) <= tolerance).all(axis=0)
+        keep[: count * size].reshape(count, size)[straight, 1:] = False
         size *= 2
     return keep
