@@ -7,9 +7,9 @@ import numpy as np
 
 from vrts.report.picture.draw import Places, Screen, Shown, bands, draw
 from vrts.report.picture.lighting import ShadowMap, from_srgb, shadow_map
-from vrts.report.picture.placing import Fixed, Placed, place_fixed
+from vrts.report.picture.placing import Fixed, Placed, boxes, place_fixed
 from vrts.report.picture.projection import Projected, project
-from vrts.report.picture.raster import Array32, Indices, Mask, rasterise
+from vrts.report.picture.raster import Array, Array32, Indices, Mask, rasterise
 from vrts.report.picture.solids import Solid
 
 ALARM = np.array(from_srgb("#e11d2a"), np.float32)  # bodies in contact
@@ -23,6 +23,7 @@ class Stage(NamedTuple):
 
     placed: Placed
     shadows: ShadowMap
+    boxes: Array  # corners of those round it, (k, 3) [m]
 
 
 class Backdrop(NamedTuple):
@@ -37,7 +38,7 @@ class Backdrop(NamedTuple):
 def stage(fixed: tuple[Fixed, ...]) -> Stage:
     """Return what never moves."""
     placed = place_fixed(fixed)
-    return Stage(placed, shadow_map(placed.corners, MAP))
+    return Stage(placed, shadow_map(placed.corners, MAP), boxes(placed))
 
 
 @lru_cache(maxsize=KEPT)

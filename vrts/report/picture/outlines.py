@@ -29,27 +29,31 @@ def outlines(
         corner: Column and row of the first pixel on the screen.
         wanted: Which pixels are asked about; None: all.
     """
-    keep = np.ones(buffer.shape, np.float32)
+    height, width = buffer.shape
+    keep = np.ones(height * width, np.float32)
+    keys, solids = buffer.reshape(-1), solid.reshape(-1)
     steps = ((np.s_[:, 1:], np.s_[:, :-1], (1, 0)), (np.s_[1:], np.s_[:-1], (0, 1)))
-    for ahead, behind, step in steps:
+    for ahead, behind, (right, down) in steps:
         differs = number[ahead] != number[behind]
         if wanted is not None:
             differs &= wanted[ahead] | wanted[behind]
-        y, x = np.nonzero(differs)
-        after, before = buffer[ahead][y, x], buffer[behind][y, x]
-        other = solid[ahead][y, x] != solid[behind][y, x]
+        one = np.flatnonzero(differs)
+        if right:
+            one += one // (width - 1)
+        next_one = one + (right + down * width)
+        after, before = keys.take(next_one), keys.take(one)
+        other = solids.take(next_one) != solids.take(one)
         nearer = after > before
-        far = other & nearer
-        keep[ahead][y[far], x[far]] = LINE
-        far = other & ~nearer
-        keep[behind][y[far], x[far]] = LINE
-        x, y, after, before = x[~other], y[~other], after[~other], before[~other]
+        keep[next_one[other & nearer]] = LINE
+        keep[one[other & ~nearer]] = LINE
+        same = np.flatnonzero(~other)
+        one, after, before = one.take(same), after.take(same), before.take(same)
+        y, x = np.divmod(one, width)
         place = np.array([x + (corner[0] + 0.5), y + (corner[1] + 0.5)], np.float32)
-        next_to = place + np.array(step, np.float32)[:, None]
-        edge = _edges(seen, (after, next_to), (before, place))
-        y, x = y[edge], x[edge]
-        keep[behind][y, x] = np.minimum(keep[behind][y, x], CREASE_LINE)
-    return keep
+        next_to = place + np.array([[right], [down]], np.float32)
+        edge = one[_edges(seen, (after, next_to), (before, place))]
+        keep[edge] = np.minimum(keep[edge], CREASE_LINE)
+    return keep.reshape(height, width)
 
 
 def _edges(seen: Projected, one: tuple[Indices, Array32], other: tuple[Indices, Array32]) -> Mask:

@@ -7,6 +7,7 @@ import numpy as np
 
 from vrts.base.pose import Pose
 from vrts.geometry.shapes import Piece
+from vrts.report.picture.camera import bounds
 from vrts.report.picture.raster import Array, Indices
 from vrts.report.picture.solids import Color, Solid, by_color, link_solids, surface
 from vrts.robots.kinematics.batch import flange_frames, link_frames
@@ -77,6 +78,20 @@ def place_moving(
         where.append((turn, place + turn @ np.array([0.0, side * hand_opening / 2, 0.0])))
     parts += [(s, R, p) for s, (R, p) in zip(link_solids(scene.robot), where, strict=True)]
     return _placed(parts)
+
+
+def boxes(part: Placed) -> Array:
+    """Return the corners of the boxes round all solids, shape (k, 3), m.
+
+    The triangles of a solid follow one another.
+    """
+    begins = np.flatnonzero(np.diff(part.solid, prepend=-1))
+    if not len(begins):
+        return np.empty((0, 3))
+    first, second, third = (part.corners[:, k] for k in range(3))
+    low = np.minimum.reduceat(np.minimum(np.minimum(first, second), third), begins)
+    high = np.maximum.reduceat(np.maximum(np.maximum(first, second), third), begins)
+    return bounds(low, high)
 
 
 def _placed(parts: Parts) -> Placed:

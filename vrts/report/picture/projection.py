@@ -31,8 +31,9 @@ def project(placed: Placed, camera: Camera, width: int, height: int) -> Projecte
     depth = local[:, :, 2]
     screen = local[:, :, :2] / depth[:, :, None] * focal + (width / 2, height / 2)
     shown = signed_area(screen) < -1e-9
-    low, high = screen.min(1), screen.max(1)
-    shown &= (high > 0).all(1) & (low < (width, height)).all(1)
+    for along, end in enumerate((width, height)):
+        a, b, c = (screen[:, k, along] for k in range(3))
+        shown &= (np.maximum(np.maximum(a, b), c) > 0) & (np.minimum(np.minimum(a, b), c) < end)
     screen, depth, normals, solid = screen[shown], depth[shown], normals[shown], solid[shown]
     near = 1 / depth
     turned = normals @ SUN_FRAME.T

@@ -11,10 +11,10 @@ import numpy as np
 
 from vrts.base.pose import Pose, Vector
 from vrts.report.picture.backdrop import ALARM, Backdrop, any_sample, backdrop, colors, stage, view
-from vrts.report.picture.camera import Camera, axes, bounds, close_up, fitting
+from vrts.report.picture.camera import Camera, axes, close_up, fitting
 from vrts.report.picture.draw import Band, Places, Screen, Shown, bands, draw
 from vrts.report.picture.lighting import ShadowMap, shadow_map, to_srgb
-from vrts.report.picture.placing import Placed, fixed_parts, place_moving
+from vrts.report.picture.placing import boxes, fixed_parts, place_moving
 from vrts.report.picture.png import png
 from vrts.report.picture.projection import NEAR, Projected, focal_length, joined, project
 from vrts.report.picture.raster import Array, Array32, Mask, rasterise
@@ -60,7 +60,7 @@ def still(
     moving = place_moving(scene, configuration, hand_opening=hand_opening, poses=poses)
     if camera is None:
         camera = (
-            _whole_scene(scene, (standing, moving), size)
+            _whole_scene(scene, (stage(fixed).boxes, boxes(moving)), size)
             if marker is None
             else close_up(
                 _on_grid(marker), np.concatenate([standing.corners, moving.corners]), _front(scene)
@@ -86,7 +86,8 @@ def still(
             light = _changed(screen, shown, band, before, added)
         if marker is not None:
             _ring(light, band, screen, marker)
-        pixels[band.own] = to_srgb(light[:, band.inner]).transpose(1, 2, 0)
+        for k, channel in enumerate(to_srgb(light[:, band.inner])):
+            pixels[band.own, :, k] = channel
     return png(pixels)
 
 
@@ -121,33 +122,28 @@ def _changed(
 
 def _darkened(places: Places, moving: ShadowMap) -> Mask:
     """Return to which of the pixels with known places a shadow map brings less light."""
-    found = np.zeros(places.floor.shape[1:], np.bool_)
-    at = np.nonzero(moving.covers(places.solid))
-    found[at] = moving.lit(places.solid[:, *at]) < 1
-    at = np.nonzero(moving.covers(places.floor))
-    found[at] |= moving.shadow(places.floor[:, *at]) > 0
-    return found
+    shape = places.floor.shape[1:]
+    solid, floor = places.solid.reshape(3, -1), places.floor.reshape(2, -1)
+    found = np.zeros(shape[0] * shape[1], np.bool_)
+    at = np.flatnonzero(moving.covers(solid))
+    found[at] = moving.lit(solid.take(at, axis=1)) < 1
+    at = np.flatnonzero(moving.covers(floor))
+    found[at] |= moving.shadow(floor.take(at, axis=1)) > 0
+    return found.reshape(shape)
 
 
-def _whole_scene(scene: Scene, parts: Sequence[Placed], size: tuple[int, int]) -> Camera:
-    """Return a camera from the side of the work, a little from above, with all in the picture."""
-    boxes = np.concatenate([_boxes(part) for part in parts])
+def _whole_scene(scene: Scene, parts: Sequence[Array], size: tuple[int, int]) -> Camera:
+    """Return a camera from the side of the work, a little from above, with all in the picture.
+
+    Of each part come the corners of boxes, shape (k, 3), m.
+    """
     angle = _front(scene) + math.radians(62.0)
     towards = -np.array([math.cos(angle), math.sin(angle), math.tan(math.radians(21.0))])
-    found = fitting(boxes, towards, size)
+    found = fitting(np.concatenate(parts), towards, size)
     frame = axes(towards)
     eye = frame @ np.array(found.eye) / GRID_M
     eye = np.append(np.round(eye[:2]), np.floor(eye[2])) * GRID_M
     return Camera(_vector(eye @ frame), _vector(eye @ frame + frame[2]))
-
-
-def _boxes(part: Placed) -> Array:
-    """Return the corners of the boxes round all solids; their triangles follow one another."""
-    begins = np.flatnonzero(np.diff(part.solid, prepend=-1))
-    if not len(begins):
-        return np.empty((0, 3))
-    low = np.minimum.reduceat(part.corners.min(axis=1), begins)
-    return bounds(low, np.maximum.reduceat(part.corners.max(axis=1), begins))
 
 
 def _on_grid(point: Vector) -> Vector:

@@ -1,7 +1,6 @@
 """Where links, hand and bodies are: poses only while they move, and the way of the tool."""
 
-from collections.abc import Sequence
-from typing import NamedTuple, TypeAlias
+from typing import TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -37,51 +36,49 @@ def send_motion(a: Assessment, times: Array, states: Array) -> None:
     changes = np.abs(np.diff(states, axis=0)) > STILL
     first = np.ones(1, bool)
     moving = np.arange(len(times)) == 0
-    tracks: list[_Track] = []
+    sent = _Poses(times)
     for k in range(len(rotations)):
         if k:
             moving = moving | np.concatenate([first, changes[:, k - 1]])
-        names = [link.name for link in robot.arm.links if link.joint == k and link.pieces]
-        tracks += [_Track(of_robot(name), rotations[k], origins[k], moving) for name in names]
+        for link in robot.arm.links:
+            if link.joint == k and link.pieces:
+                sent.send(of_robot(link.name), rotations[k], origins[k], moving)
     flange_r, flange_p = flange_of(robot.arm, rotations[6], origins[6])
-    tracks.append(_Track(of_robot("hand"), flange_r, flange_p, moving))
+    sent.send(of_robot("hand"), flange_r, flange_p, moving)
     _tool_path(a, times, flange_r, flange_p, moving)
     for name, track in a.run.placements.items():
         turn, at = followed(track, times, flange_r, flange_p)
-        places = np.concatenate([turn.reshape(-1, 9), at], axis=1)
-        moved = np.concatenate([first, (places[1:] != places[:-1]).any(axis=1)])
-        tracks.append(_Track(of_body(name), turn, at, moved))
-    _send(tracks, times)
+        moved = (turn[1:] != turn[:-1]).any(axis=(1, 2)) | (at[1:] != at[:-1]).any(axis=1)
+        sent.send(of_body(name), turn, at, np.concatenate([first, moved]))
     _fingers(robot.gripper, times, states[:, 6], np.concatenate([first, changes[:, 6]]))
 
 
-class _Track(NamedTuple):
-    """Where something is in W at all times, and when it has just moved."""
+class _Poses:
+    """Sends where things are; those that move together share what tells the times."""
 
-    path: str
-    rotations: Array  # (n, 3, 3)
-    origins: Array  # (n, 3) [m]
-    moving: Mask  # (n,)
+    def __init__(self, times: Array) -> None:
+        self._times = times
+        self._columns: dict[bytes, list[rr.TimeColumn]] = {}
 
+    def send(self, path: str, rotations: Array, origins: Array, moving: Mask) -> None:
+        """Send poses in W at the times when something has just moved.
 
-def _send(tracks: Sequence[_Track], times: Array) -> None:
-    """Send tracks; those that move together share what tells the times."""
-    rows = [np.flatnonzero(track.moving) for track in tracks]
-    turns = [track.rotations.take(at, axis=0) for track, at in zip(tracks, rows, strict=True)]
-    ends = np.cumsum([len(at) for at in rows])
-    columns: dict[bytes, list[rr.TimeColumn]] = {}
-    each = np.split(quaternions(np.concatenate(turns)), ends[:-1])
-    for track, at, turn in zip(tracks, rows, each, strict=True):
-        key = at.tobytes()
-        if key not in columns:
-            columns[key] = at_times(times[at])
-        rr.send_columns(
-            track.path,
-            columns[key],
-            rr.Transform3D.columns(
-                translation=track.origins.take(at, axis=0).astype(np.float32), quaternion=turn
-            ),
+        At once, one after another: so the next finds the memory of the last.
+
+        Args:
+            path: Of what moves.
+            rotations: At all times, shape (n, 3, 3).
+            origins: Shape (n, 3) [m].
+            moving: Shape (n,).
+        """
+        at, key = np.flatnonzero(moving), moving.tobytes()
+        if key not in self._columns:
+            self._columns[key] = at_times(self._times[at])
+        columns = rr.Transform3D.columns(
+            translation=origins.take(at, axis=0).astype(np.float32),
+            quaternion=quaternions(rotations.take(at, axis=0)),
         )
+        rr.send_columns(path, self._columns[key], columns)
 
 
 def _fingers(gripper: Gripper, times: Array, opening: Array, moving: Mask) -> None:

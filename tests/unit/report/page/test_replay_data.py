@@ -10,15 +10,18 @@ from itertools import accumulate, pairwise
 import numpy as np
 import pytest
 
+from tests.places import ROOT
 from tests.support_runs import scene, with_segments
 from tests.support_segments import blend, sampled, segment, slowed
 from vrts.base.source import SourceFile
 from vrts.engine.controller import execute
 from vrts.engine.run import Run
 from vrts.lang.compiler import compile_source
+from vrts.pipeline.settings import load_task
 from vrts.report.assessment import Assessment
 from vrts.report.page.page import page
-from vrts.report.page.replay_data import MOST_EVENTS, run_data
+from vrts.report.page.replay_data import MOST_EVENTS, run_data, segment_data
+from vrts.report.page.viewer_data import scene_data, scene_text
 from vrts.report.screen.assessment_text import assessment_text
 from vrts.scene.model import Limits, Scenario
 
@@ -83,6 +86,7 @@ def test_rows_have_the_coefficients_they_need() -> None:
         segment(blend(0.3, 1.0, -2.0, 0.5), stopping, start_s=1.0, length=0.5),
     )
     segments = json.loads(json.dumps(run_data(with_segments(*pieces), None)))["segments"]
+    assert segments == segment_data(pieces), "the arrays of a run say the same as its segments"
     rows = sent_rows(segments)
     assert [len(row) for row in rows] == [1, 4, *[1] * 5, 5, 9, *[1] * 5]
     for share in (0.0, 0.3, 0.8, 1.0):
@@ -97,6 +101,15 @@ def test_a_very_short_segment_of_degree_8_stays_within_single_precision() -> Non
     segments = run_data(with_segments(segment(row, length=1e-5)), None)["segments"]
     (sent, *_) = sent_rows(json.loads(json.dumps(segments)))
     assert value_at(sent, 1.0) == pytest.approx(0.9, abs=1e-6)
+
+
+def test_a_scene_that_is_kept_as_text_has_the_goals_of_the_task_that_is_asked_about() -> None:
+    asked = load_task(ROOT / "examples" / "01-cans-on-bases" / "task.toml")
+    assert json.loads(scene_text(asked.scene, None))["goals"] == []
+    for _ in range(2):
+        told = json.loads(scene_text(asked.scene, asked.task))
+        assert told == json.loads(json.dumps(scene_data(asked.scene, asked.task)))
+        assert told["goals"]
 
 
 def test_the_line_at_work_is_that_of_the_motion(run: Run) -> None:

@@ -48,8 +48,8 @@ def pixels(png: bytes) -> Pixels:
             data += png[at + 8 : at + 8 + length]
         at += 12 + length
     rows = np.frombuffer(zlib.decompress(data), np.uint8).reshape(height, 1 + 3 * width)
-    assert (rows[:, 0] == 2).all()
-    return np.cumsum(rows[:, 1:], axis=0, dtype=np.uint8).reshape(height, width, 3)
+    assert (rows[:, 0] == 1).all()
+    return np.cumsum(rows[:, 1:].reshape(height, width, 3), axis=1, dtype=np.uint8)
 
 
 def moments(scene: Scene) -> list[dict[str, object]]:

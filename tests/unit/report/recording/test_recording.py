@@ -56,6 +56,7 @@ def test_a_contact_is_marked_and_lines_gripper_and_path_are_there(tmp_path: Path
         [RERUN, "rrd", "print", "-vvv", path], capture_output=True, text=True, check=True
     ).stdout
     assert "can1 touches base1" in shown
+    assert "Lines, gripper and signals" in shown, "how the viewer arranges it"
     for entity in ("/world/contacts/1", "/world/tool_path", "/lanes/program", "/lanes/gripper"):
         assert entity in shown
     assert "/range/limit" in shown
