@@ -40,7 +40,7 @@ def outlines(
         one = np.flatnonzero(differs)
         if right:
             one += one // (width - 1)
-        next_one = one + (right + down * width)
+        next_one: Indices = one + (right + down * width)
         after, before = keys.take(next_one), keys.take(one)
         other = solids.take(next_one) != solids.take(one)
         nearer = after > before
