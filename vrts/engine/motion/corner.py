@@ -12,7 +12,7 @@ from vrts.base.pose import Pose
 from vrts.base.remembered import is_remembering, remembered
 from vrts.controllers.model import Branches, CornerShape
 from vrts.engine.memory.records import INSTANT
-from vrts.engine.motion.lines.path import Course, LinePath, rounded
+from vrts.engine.motion.lines.path import Course, LinePath, rounding
 from vrts.engine.motion.lines.set_points import (
     STILL,
     Offset,
@@ -23,7 +23,7 @@ from vrts.engine.motion.lines.set_points import (
     joined,
 )
 from vrts.engine.motion.paths import JointPath, Path
-from vrts.engine.motion.plan import Intent, joint_pieces, parameter
+from vrts.engine.motion.plan import Intent, joint_pieces, parameters
 from vrts.engine.motion.polynomials import Row, added
 from vrts.engine.motion.profile import Profile, at
 from vrts.engine.motion.remarks import Remark, remarks_on
@@ -119,14 +119,18 @@ def _rounded_corner(
     slowing, slowed = before.tail(), before.end
     over = after.end - INSTANT
 
+    on_first = first.courses() if isinstance(first, LinePath) else None
+    on_second = second.courses() if isinstance(second, LinePath) else None
+    parameter_at = parameters(after)
+
     def course_before(t: float) -> Course:
-        assert isinstance(first, LinePath)
-        return first.course(*at(slowing, min(t - leg.departure, slowed)))
+        assert on_first is not None
+        return on_first(*at(slowing, min(t - leg.departure, slowed)))
 
     def course_after(t: float) -> Course:
-        assert isinstance(second, LinePath)
+        assert on_second is not None
         x = t - arrival
-        return second.course(*((1.0, 0.0) if x >= over else parameter(after, x)))
+        return on_second(*((1.0, 0.0) if x >= over else parameter_at(x)))
 
     zone = round(2.0 * half / arm.tick)
     if isinstance(second, JointPath):
@@ -170,12 +174,12 @@ def _rounded_corner(
             leaving,
         )
         return _into_line(arm, X_FT, points, following, zone, intent.model.branches)
-    corner = first.X_BT1
+    over_zone, rounded = times[zone], rounding(first.X_BT1)
 
     def course(t: float) -> Course:
-        if t >= times[zone]:
+        if t >= over_zone:
             return course_after(t)
-        return rounded(course_before(t), corner, course_after(t))
+        return rounded(course_before(t), course_after(t))
 
     points = follow(arm, X_FT, times, course, (*state, intent.start_branch))
     return _into_line(arm, X_FT, points, following, zone, intent.model.branches)

@@ -1,6 +1,6 @@
 """One motion from rest to rest: its path, its time scaling, and what stops it on the way."""
 
-from collections.abc import Hashable
+from collections.abc import Callable, Hashable
 from typing import NamedTuple
 
 from vrts.base.pose import Pose
@@ -218,20 +218,35 @@ def follow_line(
     count = round(scaling.total / arm.tick)
     times = [k * arm.tick for k in range(count + 1)]
 
+    courses, parameter_at = path.courses(), parameters(scaling)
+    over, rise = times[count], scaling.rise
+
     def course(t: float) -> Course:
-        u, rate = (1.0, 0.0) if t >= times[count] else parameter(scaling, t - scaling.rise)
-        return path.course(u, rate)
+        return courses(*((1.0, 0.0) if t >= over else parameter_at(t - rise)))
 
     return follow(arm, X_FT, times, course, (start, STILL, branch))
 
 
 def parameter(scaling: Profile, x: float) -> tuple[float, float]:
     """Return u and du/dx at a time from the nominal departure."""
-    if x <= scaling.rise:
-        return at(scaling.head(), x)
-    if x < scaling.duration - scaling.fall:  # the end of constant speed
-        return x / scaling.duration, 1.0 / scaling.duration
-    return at(scaling.tail(), x)
+    return parameters(scaling)(x)
+
+
+def parameters(scaling: Profile) -> Callable[[float], tuple[float, float]]:
+    """Return what does the same for many times."""
+    duration, begin, end = scaling.duration, scaling.rise, scaling.duration - scaling.fall
+    head = scaling.head() if begin else None  # without a zone nobody is in it
+    tail = scaling.tail() if scaling.fall else None
+    rate = 1.0 / duration
+
+    def parameter_at(x: float) -> tuple[float, float]:
+        if head is not None and x <= begin:
+            return at(head, x)
+        if tail is None or x < end:  # the end of constant speed
+            return x / duration, rate
+        return at(tail, x)
+
+    return parameter_at
 
 
 def joint_pieces(path: JointPath, phases: tuple[Phase, ...], offset: float) -> list[Piece]:

@@ -3,6 +3,8 @@
 Plain Python: for many configurations at once see `batch`.
 """
 
+from collections.abc import Callable
+
 from vrts.base.pose import Pose, Vector
 from vrts.robots.kinematics import chain, serial_solutions, spherical_wrist
 from vrts.robots.kinematics.branch import branch_of
@@ -19,6 +21,7 @@ __all__ = [
     "link_poses",
     "reach_error",
     "solve",
+    "tip",
 ]
 
 
@@ -27,6 +30,17 @@ def forward(arm: Arm, q: Configuration) -> Pose:
     if isinstance(arm, SphericalWristArm):
         return spherical_wrist.forward(arm, q)
     return chain.forward(arm, q)
+
+
+def tip(arm: Arm, point: Vector) -> Callable[[Configuration], Vector]:
+    """Return what tells where a point of the flange is, for configurations [rad], in B [m].
+
+    It is `forward(arm, q).apply(point)`, bit for bit but for the sign of zeros, at half the cost
+    for a point on the axis of joint 6, where tools usually are.
+    """
+    if isinstance(arm, SphericalWristArm) and point[:2] == (0.0, 0.0):
+        return spherical_wrist.on_axis(arm, point[2])
+    return lambda q: forward(arm, q).apply(point)
 
 
 def hand_pose(arm: Arm, q: Configuration) -> Pose:

@@ -5,6 +5,7 @@ The wrist centre decouples position from orientation [Pieper1968]_; arm branches
 """
 
 import math
+from collections.abc import Callable
 
 from vrts.base.pose import Pose, Vector
 from vrts.robots.kinematics.limits import all_turned
@@ -56,6 +57,33 @@ def forward(arm: SphericalWristArm, q: Configuration) -> Pose:
         ),
         (c1 * rho - s1 * d2 + d6 * r13, s1 * rho + c1 * d2 + d6 * r23, height + d6 * aw),
     )
+
+
+def on_axis(arm: SphericalWristArm, height: float) -> Callable[[Configuration], Vector]:
+    """Return what tells where a point on the axis of joint 6 is, so high above the flange [m].
+
+    The same operations as those of `forward`, without what turns about that axis.
+    """
+    a2, a3, d2, d4, d6 = arm.a2, arm.a3, arm.d2, arm.d4, arm.d6
+    sin, cos = math.sin, math.cos
+
+    def where(q: Configuration) -> Vector:
+        q1, q2, q3, q4, q5, _ = q
+        s1, c1 = sin(q1), cos(q1)
+        s23, c23 = sin(q2 + q3), cos(q2 + q3)
+        s5, az = sin(q5), cos(q5)
+        rho = a2 * cos(q2) + a3 * c23 + d4 * s23
+        up = -a2 * sin(q2) - a3 * s23 + d4 * c23
+        ax, ay = cos(q4) * s5, sin(q4) * s5
+        au, aw = c23 * ax + s23 * az, c23 * az - s23 * ax
+        r13, r23 = c1 * au - s1 * ay, s1 * au + c1 * ay
+        return (
+            r13 * height + (c1 * rho - s1 * d2 + d6 * r13),
+            r23 * height + (s1 * rho + c1 * d2 + d6 * r23),
+            aw * height + (up + d6 * aw),
+        )
+
+    return where
 
 
 def solve(

@@ -8,7 +8,7 @@ import pytest
 from vrts.base.oat import pose_from_components
 from vrts.base.pose import multiply, transpose
 from vrts.controllers.model import LineTurn
-from vrts.engine.motion.lines.path import Course, line, rounded
+from vrts.engine.motion.lines.path import Course, line, rounding
 
 START = pose_from_components(900, -300, 100, 90, 90, 0)
 CORNER = pose_from_components(900, 0, 0, 60, 70, 20)
@@ -22,7 +22,7 @@ def course(t: float, turn: LineTurn = LineTurn.TWO_TURNS) -> Course:
     """Slow down on the first line while picking up speed on the second."""
     before = FIRST[turn].course(1.0 - 0.3 * (1.0 - t) ** 2, 0.6 * (1.0 - t))
     after = SECOND[turn].course(0.2 * t * t, 0.4 * t)
-    return rounded(before, CORNER, after)
+    return rounding(CORNER)(before, after)
 
 
 @pytest.mark.parametrize("turn", LineTurn)

@@ -1,11 +1,13 @@
 """The path of a straight line: where the tool is and how it moves, as functions of u, 0 to 1."""
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 from vrts.base.pose import (
     Y_AXIS,
     Z_AXIS,
     Pose,
+    Rotation,
     Vector,
     add,
     distance,
@@ -18,6 +20,9 @@ from vrts.base.pose import (
 )
 from vrts.controllers.model import LineTurn, TurnMeasure
 from vrts.engine.motion.lines.turning import Turning, turning, turning_about_one_axis
+
+
+ZERO: Vector = (0.0, 0.0, 0.0)
 
 
 class Course(NamedTuple):
@@ -67,17 +72,35 @@ class LinePath(NamedTuple):
 
     def course(self, u: float, rate: float) -> Course:
         """Return pose and velocity at u, with du/dt given [1/s]."""
-        X_BT = self.pose(u)
-        travel = subtract(self.X_BT1.translation, self.X_BT0.translation)
+        return self.courses()(u, rate)
+
+    def courses(self) -> Callable[[float, float], Course]:
+        """Return what does the same for many u: what they have in common is done once."""
+        origin, travel = self.X_BT0, subtract(self.X_BT1.translation, self.X_BT0.translation)
         psi, theta, phi, about = self.turn
         if theta == 0.0 and phi == 0.0:
-            return Course(X_BT, scale(travel, rate), (0.0, 0.0, 0.0))
+            rotation, (x0, y0, z0), (x, y, z) = *origin, travel
+
+            def straight(u: float, rate: float) -> Course:
+                position = (x0 + x * u, y0 + y * u, z0 + z * u)
+                return Course(Pose(rotation, position), (x * rate, y * rate, z * rate), ZERO)
+
+            return straight
         if about is not None:
-            spin = scale(rotate(self.X_BT0.rotation, about), rate * theta)
+            axis = rotate(origin.rotation, about)
+
+            def about_one_axis(u: float, rate: float) -> Course:
+                return Course(self.pose(u), scale(travel, rate), scale(axis, rate * theta))
+
+            return about_one_axis
+        first = rotate(multiply(origin.rotation, rotation_about(Z_AXIS, psi)), Y_AXIS)
+
+        def about_two_axes(u: float, rate: float) -> Course:
+            X_BT = self.pose(u)
+            spin = add(scale(first, rate * theta), scale(X_BT.approach, rate * phi))
             return Course(X_BT, scale(travel, rate), spin)
-        axis = rotate(multiply(self.X_BT0.rotation, rotation_about(Z_AXIS, psi)), Y_AXIS)
-        spin = add(scale(axis, rate * theta), scale(X_BT.approach, rate * phi))
-        return Course(X_BT, scale(travel, rate), spin)
+
+        return about_two_axes
 
     def part(self, u: float) -> "LinePath":
         """Return the first part of the path, up to u."""
@@ -91,18 +114,32 @@ def line(X_BT0: Pose, X_BT1: Pose, turn: LineTurn) -> LinePath:
     return LinePath(X_BT0, X_BT1, turns(X_BT0.rotation, X_BT1.rotation))
 
 
-def rounded(before: Course, corner: Pose, after: Course) -> Course:
-    """Return the course of a corner: what is left of one line, and what is begun of the next.
+def rounding(corner: Pose) -> Callable[[Course, Course], Course]:
+    """Return what gives the course of a corner: what is left of one line, and begun of the next.
+
+    The function takes the course on the line that ends at the corner, and that on the line that
+    begins there. Lines whose tool does not turn have one rotation, so what is made of two such
+    rotations is made once.
 
     Args:
-        before: On the line that ends at the corner.
         corner: The pose at which both lines meet.
-        after: On the line that begins there.
     """
-    turned = multiply(before.X_BT.rotation, transpose(corner.rotation))
-    position = subtract(add(before.X_BT.translation, after.X_BT.translation), corner.translation)
-    return Course(
-        Pose(multiply(turned, after.X_BT.rotation), position),
-        add(before.v, after.v),
-        add(before.w, rotate(turned, after.w)),
-    )
+    back = transpose(corner.rotation)
+    known: tuple[Rotation, Rotation, Rotation, Rotation] | None = None
+
+    def course(before: Course, after: Course) -> Course:
+        nonlocal known
+        one, other = before.X_BT.rotation, after.X_BT.rotation
+        if known is None or known[0] is not one or known[1] is not other:
+            turned = multiply(one, back)
+            known = one, other, turned, multiply(turned, other)
+        position = subtract(
+            add(before.X_BT.translation, after.X_BT.translation), corner.translation
+        )
+        return Course(
+            Pose(known[3], position),
+            add(before.v, after.v),
+            add(before.w, rotate(known[2], after.w)),
+        )
+
+    return course

@@ -6,6 +6,7 @@ at both ends, so the tool stays on its line to a fraction of a thousandth of a m
 
 import math
 from collections.abc import Callable, Sequence
+from itertools import pairwise
 from typing import NamedTuple
 
 from vrts.base.pose import (
@@ -14,7 +15,6 @@ from vrts.base.pose import (
     Vector,
     add,
     cross,
-    dot,
     multiply,
     rotate,
     scale,
@@ -32,14 +32,11 @@ from vrts.engine.motion.lines.passage import (
 )
 from vrts.engine.motion.lines.path import Course, LinePath
 from vrts.engine.motion.polynomials import Row
-from vrts.robots.kinematics.kinematics import (
-    forward,
-    joint_velocity,
-)
+from vrts.robots.kinematics.kinematics import joint_velocity, tip
 from vrts.robots.kinematics.limits import limit_violations, unlimited
 from vrts.robots.kinematics.singular import singular_at
-from vrts.robots.kinematics.tracking import track
-from vrts.robots.model import Arm, ArmBranch, Configuration
+from vrts.robots.kinematics.tracking import track, usual_step
+from vrts.robots.model import Arm, ArmBranch, Configuration, SphericalWristArm
 
 Piece = tuple[float, float, tuple[Row, ...]]
 """Start and end in path time [s]; six rows of coefficients from the piece's start."""
@@ -124,33 +121,51 @@ def follow(
         known = list(times[: obstacle.at + 1])
         return SetPoints(known, points, rates, branch, crossed, near, obstacle)
 
+    usual = usual_step(arm) if isinstance(arm, SphericalWristArm) else None
     same: Rotation | None = None
     rotation: Rotation = X_TF.rotation  # of F in B
     carried: Vector = lever  # from T to F, in B
     for k in range(1, len(times)):
-        X_BT, v, w = course(times[k])
+        now, step_s = times[k], times[k] - times[k - 1]
+        X_BT, v, w = course(now)
         if X_BT.rotation is not same:  # a tool that does not turn has one rotation all along
             same = X_BT.rotation
             rotation, carried = multiply(same, X_TF.rotation), rotate(same, lever)
-        X_BF = Pose(rotation, add(carried, X_BT.translation))
+        position = add(carried, X_BT.translation)
+        velocity = add(v, cross(w, carried))
+        stands = velocity == w == (0.0, 0.0, 0.0)
+        plus = None if offset is None else offset(now)
+        if usual is not None:
+            found_at_once = usual(rotation, position, velocity, w, branch, q, step_s)
+            if found_at_once is not None:
+                following, found_rate = found_at_once
+                point = following if plus is None else _plus(following, plus.q)
+                if not limit_violations(arm, point):
+                    q = following
+                    points.append(point)
+                    if stands:
+                        found_rate = STILL
+                    rates.append(found_rate if plus is None else _plus(found_rate, plus.rate))
+                    continue
+        X_BF = Pose(rotation, position)
         found = track(free, X_BF, branch, q)
-        if found is None or too_fast(arm, q, found[0], times[k] - times[k - 1]):
+        if found is None or too_fast(arm, q, found[0], step_s):
             before = Stand(times[k - 1], q, branch)
-            way = passage(free, flange, before, times[k])
+            way = passage(free, flange, before, now)
             if way.lost_s is not None:
                 return stopped(_lost(free, flange, times, k, way))
             found = way.last.q, way.last.branch
-            turning = _met(arm, before, found[0], way, times[k])
+            turning = _met(arm, before, found[0], way, now)
             if turning is not None:
                 return stopped(turning._replace(at=k - 1))
         following, branch_there = found
-        point = following if offset is None else _plus(following, offset(times[k]).q)
+        point = following if plus is None else _plus(following, plus.q)
         violations = limit_violations(arm, point)
         if violations:
             before = Stand(times[k - 1], q, branch)
-            met_s = crossing(arm, flange, before, times[k], added)
+            met_s = crossing(arm, flange, before, now, added)
             joint, _, *limits = violations[0]
-            reached = Stand(times[k], following, branch_there)
+            reached = Stand(now, following, branch_there)
             value, worst_s = _worst(free, flange, times[k:], reached, added, joint, limits)
             return stopped(
                 Obstacle("limit", k - 1, met_s, joint, value, worst_s, (limits[0], limits[1]))
@@ -160,11 +175,9 @@ def follow(
         near = near or singular_at(arm, following)
         q = following
         points.append(point)
-        velocity = add(v, cross(w, carried))
-        stands = velocity == w == (0.0, 0.0, 0.0)
         found_rate = STILL if stands else joint_velocity(arm, q, velocity, w)
-        if found_rate is not None and offset is not None:
-            found_rate = _plus(found_rate, offset(times[k]).rate)
+        if found_rate is not None and plus is not None:
+            found_rate = _plus(found_rate, plus.rate)
         rates.append(found_rate)
     return SetPoints(list(times), points, rates, branch, crossed, near, None)
 
@@ -211,19 +224,23 @@ def joined(points: SetPoints) -> list[Piece]:
     times, q = points.times, points.q
     rates = [_estimated(points, k) if rate is None else rate for k, rate in enumerate(points.rates)]
     pieces: list[Piece] = []
-    for k in range(len(times) - 1):
-        step = times[k + 1] - times[k]
-        inverse = 1.0 / step
-        rows = [
-            (
-                a,
-                va,
-                (3.0 * (change := b - a) * inverse - 2.0 * va - vb) * inverse,
-                (va + vb - 2.0 * change * inverse) * inverse * inverse,
-            )
-            for a, b, va, vb in zip(q[k], q[k + 1], rates[k], rates[k + 1], strict=True)
-        ]
-        pieces.append((times[k], times[k + 1], tuple(rows)))
+    starts = zip(pairwise(times), pairwise(q), pairwise(rates), strict=True)
+    for (start, end), (before, after), (leaving, coming) in starts:
+        a1, a2, a3, a4, a5, a6 = before
+        b1, b2, b3, b4, b5, b6 = after
+        v1, v2, v3, v4, v5, v6 = leaving
+        w1, w2, w3, w4, w5, w6 = coming
+        n = 1.0 / (end - start)
+        d1, d2, d3, d4, d5, d6 = b1 - a1, b2 - a2, b3 - a3, b4 - a4, b5 - a5, b6 - a6
+        rows = (
+            (a1, v1, (3.0 * d1 * n - 2.0 * v1 - w1) * n, (v1 + w1 - 2.0 * d1 * n) * n * n),
+            (a2, v2, (3.0 * d2 * n - 2.0 * v2 - w2) * n, (v2 + w2 - 2.0 * d2 * n) * n * n),
+            (a3, v3, (3.0 * d3 * n - 2.0 * v3 - w3) * n, (v3 + w3 - 2.0 * d3 * n) * n * n),
+            (a4, v4, (3.0 * d4 * n - 2.0 * v4 - w4) * n, (v4 + w4 - 2.0 * d4 * n) * n * n),
+            (a5, v5, (3.0 * d5 * n - 2.0 * v5 - w5) * n, (v5 + w5 - 2.0 * d5 * n) * n * n),
+            (a6, v6, (3.0 * d6 * n - 2.0 * v6 - w6) * n, (v6 + w6 - 2.0 * d6 * n) * n * n),
+        )
+        pieces.append((start, end, rows))
     return pieces
 
 
@@ -234,12 +251,26 @@ def deviation(arm: Arm, X_FT: Pose, path: LinePath, pieces: Sequence[Piece]) -> 
     origin = path.X_BT0.translation
     direction = scale(subtract(path.X_BT1.translation, origin), 1.0 / path.length)
     largest = 0.0
-    for start, end, rows in pieces:
+    where = tip(arm, X_FT.translation)
+    (x0, y0, z0), (nx, ny, nz) = origin, direction
+    for start, end, ((a1, b1, c1, d1), (a2, b2, c2, d2), (a3, b3, c3, d3), *wrist) in pieces:
+        (a4, b4, c4, d4), (a5, b5, c5, d5), (a6, b6, c6, d6) = wrist
         h = 0.5 * (end - start)
-        q = tuple([c[0] + h * (c[1] + h * (c[2] + h * c[3])) for c in rows])
-        offset = subtract(forward(arm, q).apply(X_FT.translation), origin)  # type: ignore[arg-type]
-        along = dot(offset, direction)
-        largest = max(largest, dot(offset, offset) - along * along)
+        x, y, z = where(
+            (
+                a1 + h * (b1 + h * (c1 + h * d1)),
+                a2 + h * (b2 + h * (c2 + h * d2)),
+                a3 + h * (b3 + h * (c3 + h * d3)),
+                a4 + h * (b4 + h * (c4 + h * d4)),
+                a5 + h * (b5 + h * (c5 + h * d5)),
+                a6 + h * (b6 + h * (c6 + h * d6)),
+            )
+        )
+        x, y, z = x - x0, y - y0, z - z0
+        along = x * nx + y * ny + z * nz
+        off = x * x + y * y + z * z - along * along
+        if off > largest:
+            largest = off
     return math.sqrt(max(largest, 0.0))
 
 
