@@ -6,7 +6,7 @@ path time; where the operator's speed is not 100 % they are composed with the ti
 """
 
 from bisect import bisect_right
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from functools import cached_property
 from itertools import pairwise
 
@@ -89,7 +89,7 @@ class Timeline:
             for cut in sorted(cuts):
                 if cut <= self.horizon_s and (not times or cut > times[-1] + INSTANT):
                     times.append(cut)
-            self._segments = tuple(self._segment(start, end) for start, end in pairwise(times))
+            self._segments = tuple(self._between(times))
         return self._segments
 
     @property
@@ -105,23 +105,33 @@ class Timeline:
         """Start of every segment [s]."""
         return tuple(segment.start_s for segment in self.segments)
 
-    def _segment(self, start: float, end: float) -> Segment:
-        found = bisect_right(self._piece_starts, start + INSTANT)
-        piece = self._pieces[found - 1] if found else None
-        motion = None
-        if piece is not None and start < piece.end_s - INSTANT:
-            motion = piece.motion
-            by = start - piece.start_s
-            rows = tuple([shifted(row, by) for row in piece.rows]) if by else piece.rows
-        else:
-            rows = tuple([(position,) for position in self.configuration(start)])
-        opening = self.opening(start)
-        found = bisect_right(self._stroke_starts, start)
-        if found and self._strokes[found - 1].end_s > start:
-            hand = (opening, (self.opening(end) - opening) / (end - start))
-        else:
-            hand = (opening,)
-        return Segment(start, end, (*rows, hand), motion)
+    def _between(self, times: Sequence[float]) -> Iterator[Segment]:
+        """Yield the segments between times, of which no piece and no stroke begins within one."""
+        pieces, starts, strokes = self._pieces, self._piece_starts, self._stroke_starts
+        of_arm = of_hand = 0  # how many have begun
+        resting = (self._opening_m,)
+        for start, end in pairwise(times):
+            while of_arm < len(starts) and starts[of_arm] <= start + INSTANT:
+                of_arm += 1
+            while of_hand < len(strokes) and strokes[of_hand] <= start:
+                of_hand += 1
+            piece = pieces[of_arm - 1] if of_arm else None
+            motion = None
+            if piece is not None and start < piece.end_s - INSTANT:
+                motion = piece.motion
+                by = start - piece.start_s
+                rows = tuple([shifted(row, by) for row in piece.rows]) if by else piece.rows
+            else:
+                rows = tuple([(position,) for position in self.configuration(start)])
+            stroke = self._strokes[of_hand - 1] if of_hand else None
+            now = self._opening_m if stroke is None else stroke_at(stroke, start)
+            if stroke is not None and stroke.end_s > start:
+                hand = (now, (self.opening(end) - now) / (end - start))
+            else:
+                if now != resting[0]:
+                    resting = (now,)
+                hand = resting
+            yield Segment(start, end, (*rows, hand), motion)
 
 
 def _start(piece: ArmPiece) -> float:

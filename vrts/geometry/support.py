@@ -6,11 +6,14 @@ functions gives one such gap exactly.
 """
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 from vrts.base.pose import Pose, Rotation, Vector, dot, rotate, transpose
 from vrts.geometry.shapes import Box, Cylinder, Hull, Piece, Shape
+
+
+MOST_BOXES = 4096  # things whose boxes are kept, each where it was
 
 
 class Interval(NamedTuple):
@@ -120,22 +123,40 @@ def half_box(shape: Shape, rotation: Rotation) -> tuple[Vector, Vector]:
     return (ax, ay, az), (bx, by, bz)
 
 
+def boxes_of(pieces: Sequence[Piece], X_WO: Pose) -> Sequence[Bounds]:
+    """Return the box along the axes of W round each piece; what stands is asked about again."""
+    key = id(pieces), X_WO
+    known = _boxes.get(key)
+    if known is None:
+        if len(_boxes) >= MOST_BOXES:
+            _boxes.clear()
+        known = _boxes[key] = pieces, [_box(piece, X_WO) for piece in pieces]
+    return known[1]
+
+
+# by who the pieces are, and these are kept, lest others take the place of some that are gone
+_boxes: dict[tuple[int, Pose], tuple[Sequence[Piece], list[Bounds]]] = {}
+
+
+def _box(piece: Piece, X_WO: Pose) -> Bounds:
+    X_WP = X_WO @ piece.X_OP
+    lower, upper = half_box(piece.shape, X_WP.rotation)
+    x, y, z = X_WP.translation
+    return Bounds(
+        (lower[0] + x, lower[1] + y, lower[2] + z), (upper[0] + x, upper[1] + y, upper[2] + z)
+    )
+
+
 def bounds(pieces: Iterable[Piece], X_WO: Pose) -> Bounds:
     """Return the smallest box along the axes of W that holds a union of pieces.
 
     Raises:
         ValueError: There are no pieces.
     """
-    lowers: list[Vector] = []
-    uppers: list[Vector] = []
-    for piece in pieces:
-        X_WP = X_WO @ piece.X_OP
-        lower, upper = half_box(piece.shape, X_WP.rotation)
-        x, y, z = X_WP.translation
-        lowers.append((lower[0] + x, lower[1] + y, lower[2] + z))
-        uppers.append((upper[0] + x, upper[1] + y, upper[2] + z))
-    if not lowers:
+    found = [_box(piece, X_WO) for piece in pieces]
+    if not found:
         raise ValueError("no pieces")
+    lowers, uppers = zip(*found, strict=True)
     return Bounds(
         (min(v[0] for v in lowers), min(v[1] for v in lowers), min(v[2] for v in lowers)),
         (max(v[0] for v in uppers), max(v[1] for v in uppers), max(v[2] for v in uppers)),

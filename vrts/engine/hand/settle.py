@@ -32,7 +32,7 @@ from vrts.geometry.clipping import Point, common, left
 from vrts.geometry.hull import faces
 from vrts.geometry.proving.scalar import nearest
 from vrts.geometry.shapes import Box, Cylinder, Hull, Piece, Shape
-from vrts.geometry.support import Bounds, bounds, span
+from vrts.geometry.support import Bounds, bounds, boxes_of, span
 from vrts.scene.outline import contains, hull
 
 TOUCHING = 1e-5  # [m] nearer than this is contact
@@ -99,12 +99,7 @@ def _descended(
     pieces: Sequence[Piece], X_WO: Pose, others: Sequence[Standing]
 ) -> tuple[float, Standing, Piece, Piece] | None:
     mine = bounds(pieces, X_WO)
-    below = [
-        (standing, piece)
-        for standing in others
-        for piece in standing.pieces
-        if _under(mine, piece, standing.X_WO)
-    ]
+    below = [(standing, piece) for standing in others for piece in _under(mine, standing)]
     if not below:
         return None
     pairs = [(piece, theirs, standing) for standing, theirs in below for piece in pieces]
@@ -133,18 +128,16 @@ def _descended(
     return None
 
 
-def _under(mine: Bounds, piece: Piece, X_WO: Pose) -> bool:
-    """Return whether the box of a piece can be met by another box on its way straight down."""
-    X_WP = X_WO @ piece.X_OP
-    rotation, (x, y, z) = X_WP
+def _under(mine: Bounds, standing: Standing) -> list[Piece]:
+    """Return the pieces that can be met by something in a box on its way straight down."""
     (ax, ay, _), (bx, by, bz) = mine
-    lower, upper = span(piece.shape, rotation[0:3])
-    if not (ax < upper + x and lower + x < bx):
-        return False  # most are elsewhere
-    lower, upper = span(piece.shape, rotation[3:6])
-    if not (ay < upper + y and lower + y < by):
-        return False
-    return span(piece.shape, rotation[6:9])[0] + z < bz
+    return [  # most are elsewhere
+        piece
+        for piece, ((x0, y0, z0), (x1, y1, _)) in zip(
+            standing.pieces, boxes_of(standing.pieces, standing.X_WO), strict=True
+        )
+        if ax < x1 and x0 < bx and ay < y1 and y0 < by and z0 < bz
+    ]
 
 
 def _carries(bottom: Face, top: Face) -> bool:
@@ -167,9 +160,7 @@ def _contacts(
     box = bounds(pieces, X_WO)
     found: dict[str, list[Point]] = {}
     for standing in others:
-        for piece in standing.pieces:
-            if not _under(box, piece, standing.X_WO):
-                continue  # most are elsewhere
+        for piece in _under(box, standing):
             for height, theirs in _ends(piece, standing.X_WO, normal):
                 for own, part in mine:
                     if abs(own - height) <= LEVEL:
