@@ -12,7 +12,6 @@ from typing import NamedTuple
 from vrts.base.pose import Pose, Rotation, Vector, dot, rotate, transpose
 from vrts.geometry.shapes import Box, Cylinder, Hull, Piece, Shape
 
-
 MOST_BOXES = 4096  # things whose boxes are kept, each where it was
 
 

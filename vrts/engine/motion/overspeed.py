@@ -5,11 +5,8 @@ again, slower, until no joint is too fast.
 """
 
 import math
-from collections.abc import Callable, Iterator, Sequence
-from itertools import chain
+from collections.abc import Callable, Sequence
 from typing import NamedTuple, TypeAlias
-
-import numpy as np
 
 from vrts.base.remembered import is_remembering, remembered
 from vrts.engine.motion.lines.set_points import Piece
@@ -22,7 +19,6 @@ from vrts.robots.model import Arm, Configuration
 SPEED_TOLERANCE = 1e-6  # share of the limit; rounding of the polynomials
 TRIES_PAST = 5  # of speeds at which a line may get past a singularity, each half of the one before
 CUBIC = 4  # coefficients
-JOINTS = 6
 LOOKS = 16  # at a polynomial of higher degree than three
 
 Planning: TypeAlias = Callable[[Intent], Sequence[Piece] | None]
@@ -64,31 +60,18 @@ def none_too_fast(pieces: Sequence[Piece], limits: Configuration, rate_of_time: 
     tell of a polynomial, its peak does.
     """
     allowed = [limit * (1.0 + SPEED_TOLERANCE / 2.0) / rate_of_time for limit in limits]
-    return all(
-        len(row) < 2 or _peak(row, pieces[k][1] - pieces[k][0]) <= allowed[joint]
-        for k, joint, row in _doubtful(pieces, allowed)
-    )
-
-
-def _doubtful(
-    pieces: Sequence[Piece], allowed: Sequence[float]
-) -> Iterator[tuple[int, int, Row]]:
-    """Yield the polynomials whose Bezier ordinates do not tell, by piece and joint."""
-    rows = [row for _, _, rows in pieces for row in rows]
-    cubic = np.fromiter(map(len, rows), np.int64, len(rows)) == CUBIC
-    if not cubic.all():
-        for k in np.flatnonzero(~cubic).tolist():
-            yield k // JOINTS, k % JOINTS, rows[k]
-    which = np.flatnonzero(cubic)
-    flat = chain.from_iterable(rows if cubic.all() else [rows[k] for k in which.tolist()])
-    _, first, bend, twist = np.fromiter(flat, np.float64, CUBIC * len(which)).reshape(-1, CUBIC).T
-    length = np.array([end - start for start, end, _ in pieces])[which // JOINTS]
-    middle = first + bend * length
-    last = middle + (bend + 3.0 * twist * length) * length
-    most = np.array(allowed)[which % JOINTS]
-    told = (np.abs(first) <= most) & (np.abs(middle) <= most) & (np.abs(last) <= most)
-    for k in which[~told].tolist():
-        yield k // JOINTS, k % JOINTS, rows[k]
+    for start, end, rows in pieces:
+        length = end - start
+        for row, most in zip(rows, allowed, strict=True):
+            if len(row) == CUBIC:
+                _, first, bend, twist = row
+                middle = first + bend * length
+                last = middle + (bend + 3.0 * twist * length) * length
+                if -most <= first <= most and -most <= middle <= most and -most <= last <= most:
+                    continue
+            if len(row) > 1 and not _peak(row, length) <= most:
+                return False
+    return True
 
 
 def overspeed(

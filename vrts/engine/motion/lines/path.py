@@ -21,7 +21,6 @@ from vrts.base.pose import (
 from vrts.controllers.model import LineTurn, TurnMeasure
 from vrts.engine.motion.lines.turning import Turning, turning, turning_about_one_axis
 
-
 ZERO: Vector = (0.0, 0.0, 0.0)
 
 
@@ -79,7 +78,8 @@ class LinePath(NamedTuple):
         origin, travel = self.X_BT0, subtract(self.X_BT1.translation, self.X_BT0.translation)
         psi, theta, phi, about = self.turn
         if theta == 0.0 and phi == 0.0:
-            rotation, (x0, y0, z0), (x, y, z) = *origin, travel
+            rotation, (x0, y0, z0) = origin
+            x, y, z = travel
 
             def straight(u: float, rate: float) -> Course:
                 position = (x0 + x * u, y0 + y * u, z0 + z * u)
