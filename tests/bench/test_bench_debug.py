@@ -12,6 +12,7 @@ from vrts.debug.debugger import Debugger, Stop, Way, Why
 from vrts.debug.evaluating import evaluate
 from vrts.engine.controller import execute
 from vrts.lang.dialect import DIALECTS
+from vrts.scene.model import Limits, Scenario
 
 PASSES = 100_000
 LOOP = f""".PROGRAM main()
@@ -47,6 +48,28 @@ QUESTIONS = (
     "calls where depth > 1 and took >= 0 by took down",
     'calls where arguments ~ "a = 777"',
 )
+# what no history tells, of a loop whose passes each take a while
+MACHINE = (
+    *("RANDOM() < 0", "TAS(x, 1) < -1", "CAS(x, 1, 2) < -1", '$DECODE($s, ",", 0) == "no"'),
+    *("DX(DEST) < -5000", "DEXT(#DEST, 1) > 999", "INRANGE(far) < 0", "SPEED(3) < 0"),
+    *("PARAMETER(HAND.TIME) < 0", "ADC(1) < 0", "PRIORITY < 0", "STATE(2) < 0"),
+    *('STATUS("main") < -1', "ERROR() < 0", "FREE(0) < 0", "TIME() < 0", "TIMER(5) < -9"),
+    "HAND+TIMER(1)+DISTANCE(HERE, far) < 0",
+)
+SLOW = f""".PROGRAM main()
+ t = 5
+ TIMER t = 0
+ $s = "a,b"
+ MOVE far
+ FOR n = 1 TO {PASSES}
+  x = n*0.5
+  DELAY 0.028
+ END
+.END
+.LOCATIONS
+far 700 300 0 90 90 0
+.END
+"""
 WISHES = {
     "a condition on a real": Breakpoint(1, "main.v2", 3, condition="n == 100000"),
     "... with arithmetic": Breakpoint(1, "main.v2", 4, condition="INT(x)+1 == 50001 AND n > 5"),
@@ -91,6 +114,21 @@ def test_conditions_on_a_hundred_thousand_passes() -> None:
     for _ in range(20):
         evaluate(run, d.at, "n == 100000", d.dialect)
     print(f"{'one condition on a fork':28} {(process_time() - before) / 20 * 1e3:7.2f} ms")
+
+
+def test_what_no_history_tells_on_a_hundred_thousand_passes() -> None:
+    limits = Limits(time_s=1e6)
+    run = execute(compiled(SLOW, "val2+"), robot_alone(), Scenario(limits=limits))
+    print(f"\n{run.statements:,} statements in {run.horizon_s:,.0f} s; as above")
+    for condition in MACHINE:
+        d = Debugger(run, DIALECTS["val2+"])
+        d.wishes.lines = [Breakpoint(1, "main.v2", 8, condition=condition)]
+        slow = slowness()
+        first, stop = spent(d)
+        assert (stop.why, stop.text) == (Why.END, ""), stop
+        d.reverse()
+        again, _ = spent(d)
+        print(f"{condition:40} {first:7.2f} s ({first / slow:.2f}), again {again:.4f} s")
 
 
 def test_an_endless_loop_is_left() -> None:

@@ -8,7 +8,7 @@ from vrts.base.diagnostic import Diagnostic
 from vrts.base.source import SourceFile
 from vrts.check.rules.hints import Hints, without_remedy
 from vrts.debug.debugger import Debugger, Stop, Why
-from vrts.debug.evaluating import CannotTell, evaluate, worked_out
+from vrts.debug.evaluating import CannotTell, worked_out
 from vrts.debug.events.asking import TABLES
 from vrts.debug.events.asking import Answer as Told
 from vrts.debug.files import Files, Lockable
@@ -253,8 +253,10 @@ class Console:
             CannotTell: It has none.
         """
         debugger = self._debugger
-        seen = None if frame is None else frame.seen(debugger.run, debugger.at)
-        return evaluate(debugger.run, debugger.at, text, debugger.dialect, seen)
+        at, process = debugger.at, frame is not None and frame.process
+        robot = debugger.run.history.robot.trace
+        activation = robot.activation(at.finished) if frame is None else frame.activation
+        return debugger.stops.value(text, at, activation, debugger.hear, process=process)
 
     def give(self, name: str, text: str, frame: Frame | None = None) -> str:
         """Give a variable or a signal the value of an expression; return what it has then.

@@ -114,6 +114,11 @@ class Debugger:
         return self._tables
 
     @property
+    def stops(self) -> Stops:
+        """All places to stop at, and all expressions, of the run as it goes."""
+        return self._stops
+
+    @property
     def at_end(self) -> bool:
         """Whether nothing happens after this instant."""
         return self.at >= last_instant(self._run)

@@ -24,18 +24,26 @@ class Message:
             for asked, behind in zip(parts[1::2], parts[2::2], strict=True)
         ]
 
-    def filled(self, at: Instant, activation: Activation | None, hear: Hear = nobody) -> str:
+    def filled(
+        self,
+        at: Instant,
+        activation: Activation | None,
+        hear: Hear = nobody,
+        *,
+        process: bool = False,
+    ) -> str:
         """Return it with the values that its expressions have at an instant.
 
         Args:
             at: When it is written.
             activation: The program that writes it, and sees its own variables.
             hear: Who is heard meanwhile.
+            process: It was called, maybe indirectly, by the process control program.
         """
         pieces = [self._first]
         for expression, behind in self._asked:
             try:
-                known = expression.value(at, activation, hear)
+                known = expression.value(at, activation, hear, process=process)
             except CannotTell as problem:
                 pieces += (f"<{problem}>", behind)
             else:

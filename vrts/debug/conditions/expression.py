@@ -1,159 +1,161 @@
 """One expression at many instants: compiled once, and worked out from histories where they tell.
 
-The truth is what the controller answers on a fork (`debug.evaluating`). The engine's own closures
-give the same from recorded values, a thousand times faster; functions that ask for more than is
-recorded go to the fork.
+The engine's own closures give the values: of recorded variables, signals, arm and hand, at many
+instants at once where columns do. What no history tells is looked up in the machine, on a walk
+through the run; what not even that tells is asked of the controller, on a fork.
 """
 
 import re
 from collections.abc import Sequence
-from typing import NamedTuple, cast
+from typing import cast
+
+import numpy as np
 
 from vrts.base.pose import Pose
+from vrts.debug.conditions.block import Block, Histories, Moments
+from vrts.debug.conditions.columns import Bools, Reals
+from vrts.debug.conditions.compiled import Compiled, made, unreadable
+from vrts.debug.conditions.functions import Functions
 from vrts.debug.conditions.hearing import Hear
-from vrts.debug.conditions.past import Elements, Past, Tracks
+from vrts.debug.conditions.names import Kind, Names, content_of, kind_of
+from vrts.debug.conditions.past import Past, Tracks
+from vrts.debug.conditions.walk import Present, Walk, as_context
 from vrts.debug.evaluating import CannotTell, evaluate, read
 from vrts.debug.frames import seen_by
 from vrts.debug.passages import Instant
-from vrts.engine.code.closures import Evaluate
-from vrts.engine.code.layout import Layout
 from vrts.engine.code.values.arithmetic import checked_string
-from vrts.engine.code.values.evaluate import compiler
-from vrts.engine.code.values.functions import PURE
 from vrts.engine.faults import RuntimeFault
-from vrts.engine.memory.cells import UNDEFINED, Array, Bound, Cell, Content, Memory
+from vrts.engine.machine.machine import Machine
+from vrts.engine.memory.cells import UNDEFINED, Array, Bound, Cell, Content
 from vrts.engine.memory.trace import Activation
 from vrts.engine.programs.context import Context
 from vrts.engine.run import Run
-from vrts.ir.data import Assign
-from vrts.ir.expressions import Apply, Function
 from vrts.ir.values import Type, Value
 from vrts.lang.dialect import Dialect
 from vrts.lang.names import key
 
 _WORD = re.compile(r"[$#]?[A-Za-z][\w.]*", re.ASCII)
 _WHOLE = re.compile(r"(?P<name>[$#]?[a-z][\w.]*)(\[(?P<inside>\d{1,5}(,\d{1,5})*)\])?", re.ASCII)
-_KEPT = 200_000  # answers of forks that are remembered, of one expression
-# what changes between two ticks, at which commands come
-_MOVES = frozenset(
-    {
-        *(Function.HERE, Function.HERE_JOINTS, Function.HAND, Function.TIMER),
-        *(Function.TIME, Function.TIME_TEXT, Function.DATE_TEXT),
-    }
-)
-_RECORDED = frozenset(PURE) | {
-    *_MOVES,
-    Function.SWITCH,
-    Function.PENDANT,
-    Function.ERROR_TEXT,
-    Function.SIG,
-    Function.BITS,
-    Function.DEFINED,
-    Function.ENCODE,
-    Function.UNPACK,
-    Function.LAST,
-    Function.BASE,
-    Function.TOOL,
-}
-
-_Kind = object  # class of a scalar's value, classes of an array's elements, or None
+NEAR = 1e-6  # of a tick: nearer to it an instant is on it
+_KEPT = 200_000  # answers of machines that are remembered, of one expression
 
 
-class _Compiled(NamedTuple):
-    """An expression made ready, for one kind of what its names stand for."""
+class Asked:
+    """Who asks: an instant, the program that is being executed then, and whose it is."""
 
-    problem: str  # why it cannot be read; empty: it can
-    evaluate: Evaluate | None  # None: the controller itself has to be asked
-    wanted: Type
-    at_ticks: bool  # what it asks for changes between two ticks
-    memory: Memory
-    cells: Sequence[tuple[int, Cell]]  # scalars, beside their places in the names
-    arrays: Sequence[tuple[int, Elements]]
+    __slots__ = ("activation", "at", "process")
+
+    def __init__(self, at: Instant, activation: Activation | None, *, process: bool) -> None:
+        """Take all three."""
+        self.at, self.activation, self.process = at, activation, process
+
+    @property
+    def place(self) -> tuple[Instant, int, bool]:
+        """What answers are remembered by."""
+        return self.at, id(self.activation), self.process
 
 
 class Expression:
     """One text, asked at instants of one run in any order."""
 
-    def __init__(self, run: Run, tracks: Tracks, text: str, dialect: Dialect) -> None:
+    def __init__(self, shared: "Expressions", text: str) -> None:
         """Compile nothing before it is asked for."""
-        self._run, self._dialect, self._text = run, dialect, text.strip()
-        self._past = Past(run, tracks)
-        self._names = tuple(dict.fromkeys(key(word) for word in _WORD.findall(self._text)))
-        bound = {item.name: item for item in run.history.memory.bound}
-        self._globals = [bound.get(name) for name in self._names]
-        self._slots: dict[int, list[tuple[int, int]]] = {}  # name and slot, by program
+        self._run, self._dialect, self._text = shared.run, shared.dialect, text.strip()
+        self._past = Past(shared.run, shared.tracks)
+        self._histories, self._functions = shared.histories, Functions(self._past)
+        self._walk = Walk(shared.run)
+        words = tuple(dict.fromkeys(key(word) for word in _WORD.findall(self._text)))
+        self._names = Names(shared.run, shared.histories, words)
         self._whole = _WHOLE.fullmatch(self._text.replace(" ", "").lower())
-        self._compiled: dict[tuple[_Kind, ...], _Compiled] = {}
-        self._forked: dict[tuple[Instant, int], Value | CannotTell] = {}
+        self._compiled: dict[tuple[Kind, ...], Compiled] = {}
+        self._seen: dict[tuple[Instant, int, bool], Value | CannotTell] = {}
+        self.forks = 0  # how often the controller was asked on a fork
 
-    @property
-    def forks(self) -> int:
-        """How many answers of the controller itself are remembered."""
-        return len(self._forked)
-
-    def value(self, at: Instant, activation: Activation | None, hear: Hear) -> Value:
+    def value(
+        self, at: Instant, activation: Activation | None, hear: Hear, *, process: bool = False
+    ) -> Value:
         """Return the value at an instant, for a program that is being executed then.
+
+        Args:
+            at: The instant.
+            activation: The program that asks, and sees its own variables.
+            hear: Who is heard meanwhile.
+            process: It was called, maybe indirectly, by the process control program.
 
         Raises:
             CannotTell: It cannot be read, or has no value then.
             Interrupted: `hear` has heard somebody.
         """
-        finished = at.finished
-        sources = self._sources(activation)
-        whole = self._at_once(sources, finished)
+        sources = self._names.at(activation)
+        whole = self._at_once(sources, at.finished)
         if whole is not UNDEFINED:
             return cast("Value", whole)
-        found = [_content(source, finished) for source in sources]
-        kinds = tuple([_kind(content) for content in found])
+        finished = at.finished
+        found = [content_of(source, finished) for source in sources]
+        kinds = tuple([kind_of(content) for content in found])
         known = self._compiled.get(kinds)
         if known is None:
-            known = self._compiled[kinds] = self._made(at, activation, sources)
-        if known.problem:
-            raise CannotTell(known.problem)
-        if known.evaluate is None or (known.at_ticks and not self._on_tick(at.time_s)):
-            return self._asked(at, activation, hear)
+            known = self._known(kinds, Asked(at, activation, process=process), sources)
+        if not known.of_histories or (known.at_ticks and not self._on_tick(at.time_s)):
+            return self._not_told(known, Asked(at, activation, process=process), hear)
         past = self._past
         past.now, past.finished, past.memory = at.time_s, finished, known.memory
-        for k, cell in known.cells:
-            cell.value = cast("Content", found[k])
-        for k, elements in known.arrays:
-            elements.stand_for(sources[k].elements)  # type: ignore[union-attr]
-        try:
-            value = known.evaluate(cast("Context", past))
-            if value.__class__ is float:
-                return value
-            if isinstance(value, str):
-                return checked_string(value, None)
-        except RuntimeFault as fault:
-            raise CannotTell(fault.headline) from fault
-        if known.wanted is Type.JOINTS and isinstance(value, Pose):
-            return self._asked(at, activation, hear)
-        if known.wanted is Type.POSE and not isinstance(value, Pose):
-            return self._asked(at, activation, hear)
+        value = self._worked_out(known, sources, found, cast("Context", past))
+        if value is None:
+            return self._forked(Asked(at, activation, process=process), hear)
         return value
 
-    def _on_tick(self, time_s: float) -> bool:
-        ticks = time_s / self._run.history.tick_s
-        return abs(ticks - round(ticks)) < 1e-6
+    def reals(
+        self,
+        instants: Sequence[Instant],
+        activations: Sequence[Activation | None],
+        processes: Sequence[bool],
+        hear: Hear,
+    ) -> tuple[Reals, Bools]:
+        """Return its reals at many instants, and where they are sure: ask the others alone.
 
-    def _sources(self, activation: Activation | None) -> Sequence[Bound | None]:
-        """Return what the names stand for, beside them: what is local hides what is global."""
-        if activation is None:
-            return self._globals
-        slots = self._slots.get(activation.program)
-        if slots is None:
-            program = self._run.history.code.programs[activation.program]
-            listed = [slot.name for slot in (*program.formals, *program.autos)]
-            slots = [
-                (k, listed.index(name)) for k, name in enumerate(self._names) if name in listed
-            ]
-            self._slots[activation.program] = slots
-        if not slots:
-            return self._globals
-        found = list(self._globals)
-        for k, slot in slots:
-            found[k] = activation.slots[slot]
-        return found
+        Args:
+            instants: When it is asked.
+            activations: The program that asks, beside each.
+            processes: Whether it is that of the process control program, beside each.
+            hear: Who is heard meanwhile.
+
+        Raises:
+            Interrupted: `hear` has heard somebody.
+        """
+        count = len(instants)
+        reals, sure = np.zeros(count), np.zeros(count, bool)
+        moments = Moments(
+            np.array([at.time_s for at in instants], np.float64),
+            np.array([at.finished for at in instants], np.int64),
+        )
+        asked = [
+            Asked(at, activation, process=process)
+            for at, activation, process in zip(instants, activations, processes, strict=True)
+        ]
+        programs: dict[int, list[int]] = {}
+        for k, activation in enumerate(activations):
+            programs.setdefault(-1 if activation is None else activation.program, []).append(k)
+        for places in programs.values():
+            here = np.array(places, np.intp)
+            sources = self._names.at_all([activations[k] for k in places])
+            block = Block(moments.some(here), sources, self._histories)
+            for kinds, lanes in self._names.by_kinds(block):
+                first = asked[places[int(lanes[0])]]
+                known = self._known(kinds, first, self._names.at(first.activation))
+                if known.of_machine:
+                    which: list[int] = here[lanes].tolist()
+                    every = [asked[k] for k in which]
+                    reals[here[lanes]], sure[here[lanes]] = self._reals_of_machine(every, hear)
+                elif known.at_once is not None:
+                    part = block.some(lanes)
+                    if known.at_ticks:
+                        ticks = part.times / self._run.history.tick_s
+                        part.mark(np.abs(ticks - np.round(ticks)) >= NEAR)
+                    with np.errstate(all="ignore"):
+                        reals[here[lanes]] = known.at_once(part)
+                    sure[here[lanes]] = ~part.unsure
+        return reals, sure
 
     def _at_once(self, sources: Sequence[Bound | None], finished: int) -> Content:
         """Return the value of what is only a name."""
@@ -165,58 +167,123 @@ class Expression:
             return UNDEFINED if element is None else element.at(finished)
         return source.at(finished) if isinstance(source, Cell) and not inside else UNDEFINED
 
-    def _made(
-        self, at: Instant, activation: Activation | None, sources: Sequence[Bound | None]
-    ) -> _Compiled:
-        """Compile the text for what its names stand for at an instant."""
-        known = self._run.at_moment(at.time_s, at.finished).variables
-        seen = seen_by(self._run, at, activation)
-        try:
-            _, module = read(self._text, known, seen, self._dialect)
-        except CannotTell as problem:
-            return _Compiled(str(problem), None, Type.REAL, False, Memory([]), (), ())
-        (program,) = module.programs.values()
-        step, *others = program.instructions
-        asked = set(_functions(step))
-        unknown = Function.TIMER in asked and self._past.timers is None
-        if len(others) != 1 or not isinstance(step, Assign) or unknown or not asked <= _RECORDED:
-            return _Compiled("", None, Type.REAL, False, Memory([]), (), ())
-        layout = Layout()
-        made = compiler(layout).value(step.value)
-        by_name = dict(zip(self._names, enumerate(sources), strict=True))
-        bound: list[Bound] = []
-        cells: list[tuple[int, Cell]] = []
-        arrays: list[tuple[int, Elements]] = []
-        for name in layout.names:
-            k, source = by_name.get(name, (-1, None))
-            item: Bound
-            if isinstance(source, Array):
-                item = Array(name)
-                item.elements = Elements(self._past)
-                arrays.append((k, item.elements))
-            elif name in layout.arrays and (source is None or source.at(at.finished) is UNDEFINED):
-                item = Array(name)
-            else:
-                item = Cell(name)
-                if source is not None:
-                    cells.append((k, item))
-            bound.append(item)
-        wanted = step.place.variable.type
-        return _Compiled("", made, wanted, bool(asked & _MOVES), Memory(bound), cells, arrays)
+    # --- one instant --------------------------------------------------------------------------
 
-    def _asked(self, at: Instant, activation: Activation | None, hear: Hear) -> Value:
-        """Ask the controller itself; what it has said is remembered."""
-        place = at, id(activation)
-        known = self._forked.get(place)
+    def _on_tick(self, time_s: float) -> bool:
+        ticks = time_s / self._run.history.tick_s
+        return abs(ticks - round(ticks)) < NEAR
+
+    def _known(
+        self, kinds: tuple[Kind, ...], asked: Asked, sources: Sequence[Bound | None]
+    ) -> Compiled:
+        """Return the text compiled for what its names stand for at an instant."""
+        known = self._compiled.get(kinds)
+        if known is not None:
+            return known
+        at = asked.at
+        variables = self._run.at_moment(at.time_s, at.finished).variables
+        try:
+            seen = seen_by(self._run, at, asked.activation)
+            _, module = read(self._text, variables, seen, self._dialect)
+        except CannotTell as problem:
+            known = unreadable(str(problem))
+        else:
+            known = made(
+                module, self._names.names, sources, at.finished, self._past, self._functions
+            )
+        self._compiled[kinds] = known
+        return known
+
+    def _worked_out(
+        self,
+        known: Compiled,
+        sources: Sequence[Bound | None],
+        found: Sequence[object],
+        context: Context,
+    ) -> Value | None:
+        """Return the value; None where the controller itself is to be asked.
+
+        Raises:
+            CannotTell: It has no value.
+        """
+        for k, cell in known.cells:
+            cell.value = found[k]  # type: ignore[assignment]
+        for k, elements in known.arrays:
+            elements.stand_for(sources[k].elements)  # type: ignore[union-attr]
+        try:
+            value = known.evaluate(context)  # type: ignore[misc]
+            if value.__class__ is float:
+                return value
+            if isinstance(value, str):
+                return checked_string(value, None)
+        except RuntimeFault as fault:
+            raise CannotTell(fault.headline) from fault
+        finally:
+            if known.swaps:
+                known.forget()
+        if known.wanted is Type.JOINTS and isinstance(value, Pose):
+            return None
+        if known.wanted is Type.POSE and not isinstance(value, Pose):
+            return None
+        return value
+
+    # --- what no history tells ----------------------------------------------------------------
+
+    def _not_told(self, known: Compiled, asked: Asked, hear: Hear) -> Value:
+        """Return what the machine tells, or else the controller."""
+        if known.problem:
+            raise CannotTell(known.problem)
+        if known.of_machine and asked.place not in self._seen:
+            self._look([asked], hear)
+        return self._forked(asked, hear)
+
+    def _look(self, asked: Sequence[Asked], hear: Hear) -> None:
+        """Let a walk through the run tell the values at instants that are not known yet."""
+        left = [a for a in asked if a.place not in self._seen]
+        if len(self._seen) + len(left) > _KEPT:
+            self._seen.clear()
+
+        def see(k: int, machine: Machine) -> None:
+            found = self._of_machine(left[k], machine)
+            if found is not None:
+                self._seen[left[k].place] = found
+
+        self._walk.over([a.at for a in left], see, hear)
+
+    def _reals_of_machine(self, asked: Sequence[Asked], hear: Hear) -> tuple[Reals, Bools]:
+        """Return what the machine tells, and where it is a real."""
+        self._look(asked, hear)
+        values = [self._seen.get(a.place) for a in asked]
+        reals = [value if isinstance(value, float) else np.nan for value in values]
+        found = np.array(reals, np.float64)
+        return found, ~np.isnan(found)
+
+    def _of_machine(self, asked: Asked, machine: Machine) -> Value | CannotTell | None:
+        at, sources = asked.at, self._names.at(asked.activation)
+        found = [content_of(source, at.finished) for source in sources]
+        known = self._known(tuple([kind_of(content) for content in found]), asked, sources)
+        if known.evaluate is None:
+            return None
+        self._past.now, self._past.finished = at  # which elements of arrays look at
+        present = Present(machine, at, known.memory, process=asked.process)
+        try:
+            return self._worked_out(known, sources, found, as_context(present))
+        except CannotTell as problem:
+            return problem
+
+    def _forked(self, asked: Asked, hear: Hear) -> Value:
+        """Ask the controller itself, unless it is known; what it has said is remembered."""
+        known = self._seen.get(asked.place)
         if known is None:
             hear()
-            seen = seen_by(self._run, at, activation)
+            self.forks += 1
+            seen = seen_by(self._run, asked.at, asked.activation)
             try:
-                known = evaluate(self._run, at, self._text, self._dialect, seen)
+                known = evaluate(self._run, asked.at, self._text, self._dialect, seen)
             except CannotTell as problem:
                 known = problem
-            if len(self._forked) < _KEPT:
-                self._forked[place] = known
+            if len(self._seen) < _KEPT:
+                self._seen[asked.place] = known
         if isinstance(known, CannotTell):
             raise CannotTell(str(known))
         return known
@@ -227,37 +294,20 @@ class Expressions:
 
     def __init__(self, run: Run, dialect: Dialect) -> None:
         """Take a run; nothing is worked out before it is asked for."""
-        self._run, self._dialect = run, dialect
+        self.run, self.dialect = run, dialect
+        self.histories = Histories()
         self._tracks: Tracks | None = None
         self._known: dict[str, Expression] = {}
 
+    @property
+    def tracks(self) -> Tracks:
+        """All changes of signals and switches."""
+        if self._tracks is None:
+            self._tracks = Tracks(self.run)
+        return self._tracks
+
     def of(self, text: str) -> Expression:
         """Return an expression of this run."""
-        if self._tracks is None:
-            self._tracks = Tracks(self._run)
         if text not in self._known:
-            self._known[text] = Expression(self._run, self._tracks, text, self._dialect)
+            self._known[text] = Expression(self, text)
         return self._known[text]
-
-
-def _content(source: Bound | None, finished: int) -> object:
-    """Return the value of a scalar after so many statements, the classes of those of an array."""
-    if source.__class__ is Cell:
-        return source.at(finished)  # type: ignore[union-attr]
-    if source is None:
-        return None
-    elements = cast("Array", source).elements.values()
-    return frozenset(cell.at(finished).__class__ for cell in elements)
-
-
-def _kind(content: object) -> _Kind:
-    """Return what an expression is compiled for."""
-    return content if content is None or content.__class__ is frozenset else content.__class__
-
-
-def _functions(node: object) -> "list[Function]":
-    """Return the functions that a step asks."""
-    if not isinstance(node, tuple):
-        return []
-    inner = [function for part in cast("tuple[object, ...]", node) for function in _functions(part)]
-    return [node.function, *inner] if isinstance(node, Apply) else inner

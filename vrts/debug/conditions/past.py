@@ -8,10 +8,14 @@ from bisect import bisect_left, bisect_right
 from collections.abc import ItemsView, Mapping, ValuesView
 from functools import cached_property
 
+import numpy as np
+
 from vrts.base.pose import IDENTITY, Pose
 from vrts.base.source import Span
+from vrts.controllers.model import ControllerModel
+from vrts.debug.conditions.columns import Bools, Reals, Wholes
 from vrts.debug.conditions.timers import Timers, timers_of
-from vrts.engine.memory.cells import Bound, Cell, Memory
+from vrts.engine.memory.cells import UNDEFINED, Bound, Cell, Memory
 from vrts.engine.memory.events import SignalChanged, SwitchChanged
 from vrts.engine.memory.records import INSTANT
 from vrts.engine.programs.signals import known
@@ -50,6 +54,27 @@ class Tracks:
             k -= 1
         return states[k] if k >= 0 else None
 
+    def columns(self, name: int | str) -> "TrackColumns | None":
+        """Return the track of a signal or switch as arrays; None where it never changed."""
+        track = self._known.get(name)
+        return None if track is None else TrackColumns(track)
+
+
+class TrackColumns:
+    """All changes of a signal or switch, looked up for many instants at once."""
+
+    def __init__(self, track: Track) -> None:
+        """Take the changes."""
+        self._times, self._numbers, self._states = (np.array(column) for column in track)
+
+    def states(self, times: Reals, finished: Wholes) -> Bools:
+        """Return what `Tracks.at` does at each instant; off where it never changed before."""
+        last = np.searchsorted(self._times, times, side="right") - 1
+        earlier = np.searchsorted(self._times, times - INSTANT, side="left")
+        done = np.searchsorted(self._numbers, finished, side="right") - 1
+        k = np.maximum(np.minimum(last, done), earlier - 1)
+        return (k >= 0) & self._states[k]
+
 
 class Past:
     """A program in execution, as far as expressions look at it."""
@@ -69,6 +94,11 @@ class Past:
     def timers(self) -> Timers | None:
         """What timers were set to; None where that was worked out, and not recorded."""
         return timers_of(self._run)
+
+    @property
+    def tracks(self) -> Tracks:
+        """All changes of signals and switches."""
+        return self._tracks
 
     @property
     def run(self) -> Run:
@@ -115,6 +145,12 @@ class _System:
         known = self._past.timers
         return {} if known is None else known.at(self._past.finished)
 
+    def parameter(self, name: str, otherwise: float) -> float:
+        """Return what `System.parameter` of the engine does."""
+        cell = self._past.run.history.memory.parameters.get(name)
+        held = UNDEFINED if cell is None else cell.at(self._past.finished)
+        return held if isinstance(held, float) else otherwise
+
     def is_on(self, switch: str) -> bool:
         """Return whether a switch is on."""
         state = self._past.state_of(switch)
@@ -134,6 +170,11 @@ class _Arm:
     def arm(self) -> Arm:
         """The arm as its controller counts."""
         return self._past.run.scene.robot.arm
+
+    @property
+    def model(self) -> ControllerModel:
+        """How its controller is taken to work."""
+        return self._past.run.scene.controller
 
     @property
     def base(self) -> Pose:

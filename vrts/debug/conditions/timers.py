@@ -5,6 +5,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from vrts.debug.conditions.columns import Reals, Wholes
 from vrts.debug.passages import Passages
 from vrts.engine.run import Run
 from vrts.ir.data import SetTimer
@@ -22,6 +23,11 @@ class Timers:
         """Return the timers that were set, after so many statements."""
         k = bisect_right(self._since, finished)
         return self._zeros[k - 1] if k else {}
+
+    def zeros_of(self, number: int) -> tuple[Wholes, Reals]:
+        """Return when timers were set, and what a timer stood at before and after each [s]."""
+        zeros = [0.0, *(known.get(number, 0.0) for known in self._zeros)]
+        return np.array(self._since, np.int64), np.array(zeros)
 
 
 def timers_of(run: Run) -> Timers | None:

@@ -2,11 +2,12 @@
 
 from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Iterator, Sequence
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 import numpy as np
 
 from vrts.debug.breakpoints import Resolved, counts, passes
+from vrts.debug.conditions.columns import Reals
 from vrts.debug.conditions.expression import Expression
 from vrts.debug.conditions.hearing import Hear
 from vrts.debug.evaluating import CannotTell
@@ -15,6 +16,7 @@ from vrts.engine.memory.trace import Activation
 from vrts.engine.run import Run
 
 OFTEN = 256  # passages that are looked at before somebody is heard again
+FIRST, MOST = 64, 4096  # passages whose conditions are worked out together: at first, at most
 
 
 class Came(NamedTuple):
@@ -40,7 +42,8 @@ class Place:
         """Take passages in order, and which of them count."""
         self.came = came
         self._condition, self._hits = condition, hits.strip()
-        self._known = bytearray(len(came))  # 0: not looked at; else one of the three below
+        self._known = np.zeros(len(came), np.uint8)  # 0: not looked at; else one of the three below
+        self._instants_s: Reals | None = None
         self._problems: dict[int, str] = {}
         self._counted: list[int] | None = None  # those that the hits choose
 
@@ -73,11 +76,58 @@ class Place:
         elif self._condition is None:
             yield from self.came[first:last]
         else:
-            yield from (self.came[k] for k in range(first, last) if self._holds(k, look))
+            yield from (self.came[k] for k in self._holding(range(first, last), look))
 
     def _first(self, order: range, look: "Look") -> Chosen | None:
-        found = next((k for k in order if self._holds(k, look)), None)
+        found = next(self._holding(order, look), None)
         return None if found is None else self._chosen(found)
+
+    def _holding(self, order: range, look: "Look") -> Iterator[int]:
+        """Return the passages, in order, at which the condition holds."""
+        if self._condition is None:
+            yield from order
+            return
+        for begin, end in self._blocks(order):
+            look.heard()
+            self._learn(self._condition, begin, end, look)
+            maybe = np.flatnonzero(self._known[begin:end] != _FALSE) + begin
+            for k in maybe[:: order.step].tolist():
+                if k in order and self._holds(k, look):
+                    yield k
+
+    def _blocks(self, order: range) -> Iterator[tuple[int, int]]:
+        """Return passages that are looked at together: few at first, and whole ticks."""
+        times = self._times()
+        size, done, step = FIRST, 0, order.step
+        while done < len(order):
+            part = order[done : done + size]
+            begin, end = min(part[0], part[-1]), max(part[0], part[-1]) + 1
+            if step > 0:
+                end = min(_place(times, end - 1, "right"), order[-1] + 1)
+            else:
+                begin = max(_place(times, begin, "left"), order[-1])
+            yield begin, end
+            done += end - begin
+            size = min(2 * size, MOST)
+
+    def _times(self) -> Reals:
+        if self._instants_s is None:
+            self._instants_s = np.array([came.instant.time_s for came in self.came], np.float64)
+        return self._instants_s
+
+    def _learn(self, condition: Expression, begin: int, end: int, look: "Look") -> None:
+        """Find out about passages together what can be found out so."""
+        new = np.flatnonzero(self._known[begin:end] == 0) + begin
+        if not len(new):
+            return
+        part = [self.came[k] for k in new.tolist()]
+        reals, sure = condition.reals(
+            [came.instant for came in part],
+            [look.activation(came) for came in part],
+            [came.process for came in part],
+            look.heard,
+        )
+        self._known[new[sure]] = np.where(reals[sure] == 0.0, _FALSE, _TRUE)
 
     def _chosen(self, k: int) -> Chosen:
         return Chosen(k, self._problems.get(k, ""))
@@ -87,14 +137,13 @@ class Place:
         if self._counted is None:
             counted: list[int] = []
             hit = 0
-            for k in range(len(self.came)):
-                if self._holds(k, look):
-                    if k in self._problems:  # nobody knows whether it counts
-                        counted.append(k)
-                        continue
-                    hit += 1
-                    if counts(self._hits, hit):
-                        counted.append(k)
+            for k in self._holding(range(len(self.came)), look):
+                if k in self._problems:  # nobody knows whether it counts
+                    counted.append(k)
+                    continue
+                hit += 1
+                if counts(self._hits, hit):
+                    counted.append(k)
             self._counted = counted
         return self._counted
 
@@ -103,12 +152,14 @@ class Place:
             return True
         if not self._known[k]:
             self._known[k] = self._worked_out(self._condition, k, look)
-        return self._known[k] != _FALSE
+        return bool(self._known[k] != _FALSE)
 
     def _worked_out(self, condition: Expression, k: int, look: "Look") -> int:
         came = self.came[k]
         try:
-            value = condition.value(came.instant, look.activation(came), look.heard)
+            value = condition.value(
+                came.instant, look.activation(came), look.heard, process=came.process
+            )
         except CannotTell as problem:
             self._problems[k] = f"the condition cannot be worked out: {problem}"
             return _PROBLEM
@@ -116,6 +167,11 @@ class Place:
 
 
 _FALSE, _TRUE, _PROBLEM = 1, 2, 3
+
+
+def _place(times: Reals, k: int, side: Literal["left", "right"]) -> int:
+    """Return where the instants of the tick of one begin or end."""
+    return int(np.searchsorted(times, float(times[k]), side))
 
 
 class Look:

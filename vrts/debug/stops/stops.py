@@ -12,7 +12,9 @@ from vrts.debug.messages import Message
 from vrts.debug.passages import Instant, Passages
 from vrts.debug.stops.came import Came, Chosen, Look, Place, came_to
 from vrts.debug.stops.stop import Logged, Stop, Why, Wishes
+from vrts.engine.memory.trace import Activation
 from vrts.engine.run import Run
+from vrts.ir.values import Value
 from vrts.lang.dialect import Dialect
 
 MOST_TEXTS = 4  # alarms of one instant that are told
@@ -82,9 +84,17 @@ class Stops:
             if wished is None:
                 continue
             for came in wished.place.passed(begin, end, look):
-                text = message.filled(came.instant, look.activation(came), look.heard)
+                text = message.filled(
+                    came.instant, look.activation(came), look.heard, process=came.process
+                )
                 found.append(Logged(came.instant, text, point.id))
         return sorted(found, key=_when) if len(points) > 1 else found
+
+    def value(
+        self, text: str, at: Instant, activation: Activation | None, hear: Hear, *, process: bool
+    ) -> Value:
+        """Return the value of an expression for a program at an instant; raises as there."""
+        return self._expressions.of(text).value(at, activation, hear, process=process)
 
     def _found(self, wishes: Wishes, choose: Callable[[Place], Chosen | None]) -> list[Stop]:
         lines = (self._of_line(point) for point in wishes.lines if not point.log)

@@ -6,6 +6,7 @@ The wrist centre decouples position from orientation [Pieper1968]_; arm branches
 
 import math
 from collections.abc import Callable
+from typing import TypeAlias
 
 from vrts.base.pose import Pose, Vector
 from vrts.robots.kinematics.limits import all_turned
@@ -22,17 +23,24 @@ REACH_TOLERANCE = 1e-10  # relative; a pose on the border of the workspace is wi
 WRIST_SINGULAR = 1e-9  # sine of joint 5 below which joints 4 and 6 share one axis
 SINGULAR = 1e-7  # [m], or sine of joint 5: below, joint velocities are undefined
 
+Turn: TypeAlias = Callable[[float], float]
 
-def forward(arm: SphericalWristArm, q: Configuration) -> Pose:
-    """Return X_BF, the pose of the flange in the base frame."""
+
+def forward(
+    arm: SphericalWristArm, q: Configuration, sin: Turn = math.sin, cos: Turn = math.cos
+) -> Pose:
+    """Return X_BF, the pose of the flange in the base frame.
+
+    All else is sums and products: with `sin` and `cos` of columns it takes columns of angles.
+    """
     q1, q2, q3, q4, q5, q6 = q
-    s1, c1 = math.sin(q1), math.cos(q1)
-    s23, c23 = math.sin(q2 + q3), math.cos(q2 + q3)
-    s4, c4 = math.sin(q4), math.cos(q4)
-    s5, c5 = math.sin(q5), math.cos(q5)
-    s6, c6 = math.sin(q6), math.cos(q6)
-    rho = arm.a2 * math.cos(q2) + arm.a3 * c23 + arm.d4 * s23
-    height = -arm.a2 * math.sin(q2) - arm.a3 * s23 + arm.d4 * c23
+    s1, c1 = sin(q1), cos(q1)
+    s23, c23 = sin(q2 + q3), cos(q2 + q3)
+    s4, c4 = sin(q4), cos(q4)
+    s5, c5 = sin(q5), cos(q5)
+    s6, c6 = sin(q6), cos(q6)
+    rho = arm.a2 * cos(q2) + arm.a3 * c23 + arm.d4 * s23
+    height = -arm.a2 * sin(q2) - arm.a3 * s23 + arm.d4 * c23
     # columns of Rz(q4) Ry(q5) Rz(q6)
     nx, ny, nz = c4 * c5 * c6 - s4 * s6, s4 * c5 * c6 + c4 * s6, -s5 * c6
     ox, oy, oz = -c4 * c5 * s6 - s4 * c6, -s4 * c5 * s6 + c4 * c6, s5 * s6

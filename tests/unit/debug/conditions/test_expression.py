@@ -184,13 +184,13 @@ def test_what_moves_is_what_the_program_itself_reads_there() -> None:
 
 
 @pytest.mark.parametrize("text", ["TIMER(1)", "TIMER(2)"])
-def test_a_timer_that_is_worked_out_is_asked_of_the_controller(text: str) -> None:
+def test_a_timer_that_is_worked_out_is_what_the_machine_tells(text: str) -> None:
     program = ".PROGRAM main()\n n = 1\n TIMER n = 0.5\n DELAY 1\n TYPE n\n.END\n"
     d = Debugger(execute(compiled(program), robot_alone()), DIALECTS["val2"])
     at = d.passages(process=False).instant(3)
     expression = Expressions(d.run, d.dialect).of(text)
     assert expression.value(at, None, nobody) == evaluate(d.run, at, text, d.dialect)
-    assert expression.forks == 1
+    assert expression.forks == 0
 
 
 def test_numbers_have_the_precision_of_the_controller() -> None:
@@ -219,17 +219,24 @@ def test_an_automatic_variable_without_a_value_hides_a_global_one() -> None:
         evaluate(d.run, entered, "n+0", d.dialect, inside.seen(d.run, entered))
 
 
-def test_who_asks_the_controller_is_heard_before_and_what_it_says_is_remembered() -> None:
+def test_who_looks_at_the_machine_is_heard_before_and_what_it_says_is_remembered() -> None:
     d = there()
     asked: list[int] = []
+    chance = Expressions(d.run, d.dialect).of("RANDOM()")
+    at = d.passages(process=False).instant(5)
 
     def hear() -> None:
         asked.append(1)
-        if len(asked) > 1:
-            raise Interrupted
 
-    chance = Expressions(d.run, d.dialect).of("RANDOM()")
-    at = d.passages(process=False).instant(5)
-    assert chance.value(at, None, hear) == chance.value(at, None, hear)
+    first = chance.value(at, None, hear)
+    before = len(asked)
+    assert before > 0
+    assert chance.value(at, None, hear) == first
+    assert len(asked) == before
+
+    def leave() -> None:
+        raise Interrupted
+
     with pytest.raises(Interrupted):
-        chance.value(d.passages(process=False).instant(6), None, hear)
+        chance.value(d.passages(process=False).instant(6), None, leave)
+    assert chance.value(d.passages(process=False).instant(6), None, nobody) == first

@@ -1,0 +1,63 @@
+"""Many instants asked together give what each gives alone, and fail where it fails alone."""
+
+import random
+from collections.abc import Sequence
+
+import numpy as np
+import pytest
+
+from tests.laws import first
+from tests.unit.debug.conditions.test_expression import expression, there
+from vrts.debug.conditions.expression import Expressions
+from vrts.debug.conditions.hearing import nobody
+from vrts.debug.debugger import Debugger
+from vrts.debug.evaluating import CannotTell
+from vrts.debug.passages import Instant
+from vrts.engine.memory.trace import Activation
+
+CERTAIN = (
+    "HAND+TIMER(1)+DISTANCE(HERE, NULL)",
+    "TIMER(2)/n > 3 AND DX(HERE:far)-g[n] < 700",
+    "DZ(INVERSE(HERE)) <> INT(m) OR SIG(5,-2001)",
+    "SQRT(z)+MAX(n, m, 2)+ROUND(n/3)",
+    "DY(SHIFT(far BY n, 0, 0)) == SIGN(-n)",
+)
+
+
+def passed(
+    d: Debugger, *, process: bool
+) -> tuple[list[Instant], list[Activation | None], list[bool]]:
+    passages = d.passages(process=process)
+    trace = (d.run.history.process if process else d.run.history.robot).trace
+    instants = [passages.instant(k) for k in range(passages.count)]
+    return instants, [trace.activation(at.finished) for at in instants], [process] * len(instants)
+
+
+def alone(d: Debugger, text: str, places: Sequence[tuple[Instant, Activation | None]]) -> list[str]:
+    known = Expressions(d.run, d.dialect).of(text)
+    found: list[str] = []
+    for at, activation in places:
+        try:
+            found.append(repr(known.value(at, activation, nobody)))
+        except CannotTell as problem:
+            found.append(str(problem))
+    return found
+
+
+@pytest.mark.parametrize("seed", first(1, range(8)))
+def test_many_instants_together_give_what_each_gives_alone(seed: int) -> None:
+    d, chance = there(), random.Random(seed)
+    compared = 0
+    for number in range(24):
+        text = CERTAIN[number] if number < len(CERTAIN) else expression(chance, 2)
+        process = chance.random() < 0.2
+        instants, activations, processes = passed(d, process=process)
+        together = Expressions(d.run, d.dialect).of(text)
+        reals, sure = together.reals(instants, activations, processes, nobody)
+        if number < len(CERTAIN) and not process:
+            assert sure.sum() > 20, text
+        lanes = np.flatnonzero(sure).tolist()
+        wanted = alone(d, text, [(instants[k], activations[k]) for k in lanes])
+        assert [repr(v) for v in reals[lanes].tolist()] == wanted, text
+        compared += len(lanes)
+    assert compared > 500
