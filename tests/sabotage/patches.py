@@ -756,12 +756,12 @@ PATCHES: tuple[Patch, ...] = (
     Patch(
         "joint 1 turns the other way",
         "vrts/robots/kinematics/spherical_wrist.py",
-        "s1, c1 = math.sin(q1), math.cos(q1)\n    s23, c23 = math.sin(q2 + q3), "
-        "math.cos(q2 + q3)\n    s4, c4 = math.sin(q4), math.cos(q4)\n    s5, c5 = math.sin(q5), "
-        "math.cos(q5)\n    s6",
-        "s1, c1 = -math.sin(q1), math.cos(q1)\n    s23, c23 = math.sin(q2 + q3), "
-        "math.cos(q2 + q3)\n    s4, c4 = math.sin(q4), math.cos(q4)\n    s5, c5 = math.sin(q5), "
-        "math.cos(q5)\n    s6",
+        "s1, c1 = sin(q1), cos(q1)\n    s23, c23 = sin(q2 + q3), "
+        "cos(q2 + q3)\n    s4, c4 = sin(q4), cos(q4)\n    s5, c5 = sin(q5), "
+        "cos(q5)\n    s6",
+        "s1, c1 = -sin(q1), cos(q1)\n    s23, c23 = sin(q2 + q3), "
+        "cos(q2 + q3)\n    s4, c4 = sin(q4), cos(q4)\n    s5, c5 = sin(q5), "
+        "cos(q5)\n    s6",
         (EXAMPLE,),
     ),
     Patch(
