@@ -225,7 +225,7 @@ STEPS: Final = (
         assignment TEXT NOT NULL,
         number INTEGER NOT NULL,
         at REAL NOT NULL,
-        by INTEGER,
+        by INTEGER REFERENCES account ON DELETE SET NULL,
         digest TEXT NOT NULL,
         state TEXT NOT NULL,
         mark TEXT,
