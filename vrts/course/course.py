@@ -5,6 +5,7 @@ from datetime import datetime
 from pathlib import Path
 from typing import Final, Literal, NamedTuple
 
+from vrts.course.robots.slot_rules import SlotRules
 from vrts.live.rooms.own.limits import OwnLimits
 
 COURSE_FILE: Final = "course.toml"
@@ -54,6 +55,7 @@ class Course:
     staff: tuple[Staff, ...] = ()
     teams: tuple[Team, ...] = ()
     assignments: tuple[Assignment, ...] = ()
+    slots: SlotRules | None = None  # times of a shared robot that can be booked; None: none
 
     @property
     def handed_in(self) -> Path:

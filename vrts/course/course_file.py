@@ -10,6 +10,7 @@ from vrts.base.source import SourceFile
 from vrts.base.toml.reading import Problems, Table, read_toml
 from vrts.course.course import COURSE_FILE, Assignment, Course, Rank, Staff, Team
 from vrts.course.robots.limits_table import read_limits
+from vrts.course.robots.slot_rules import read_slots
 from vrts.live.names import display_name
 from vrts.pipeline.files import TASK_FILE, read_toml_source
 from vrts.pipeline.refused import Refused
@@ -78,8 +79,9 @@ def _course(top: Table, problems: Problems, folder: Path) -> Course | None:
     )
     teams, limits = _teams(top, problems), read_limits(top)
     assignments = _assignments(top, problems, folder)
+    slots = read_slots(top, problems, COURSE, rooms)
     return Course(
-        folder, title, path, guests, rooms, scenes, own, limits, staff, teams, assignments
+        folder, title, path, guests, rooms, scenes, own, limits, staff, teams, assignments, slots
     )
 
 

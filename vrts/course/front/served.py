@@ -10,6 +10,7 @@ from vrts.course.front.board_pages import BoardPages
 from vrts.course.front.course_pages import CoursePages
 from vrts.course.front.people_pages import PeoplePages
 from vrts.course.front.robot_pages import RobotPages
+from vrts.course.front.slot_pages import SlotPages
 from vrts.course.people.watching import WatchedPeople
 from vrts.live.front.added import Added, Adding
 from vrts.live.front.http import Pages
@@ -60,6 +61,7 @@ def _parts(course: Course, hub: Hub, sessions: Sessions, pages: Pages) -> tuple[
         PeoplePages(people, hub, pages),
         CoursePages(people, hub, pages),
         RobotPages(people, hub, pages),
+        SlotPages(people, hub, pages),
         AssignmentPages(people, hub, pages),
         BoardPages(people, hub, pages),
     )

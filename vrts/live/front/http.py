@@ -20,6 +20,7 @@ from vrts.live.protocol.over_http import Carried, Me, Still
 from vrts.live.refusal import NotObeyed
 from vrts.live.rooms.entering import log_out, room_for
 from vrts.live.rooms.hub import Hub, may_see
+from vrts.live.rooms.keeping import announce
 from vrts.live.rooms.wall import still
 from vrts.live.store import accounts
 from vrts.live.store.accounts import LOGIN_S, Account
@@ -99,6 +100,7 @@ class Pages:
             return refused(403, "role", "only a supervisor may do this")
         names = request.query_params.get("names", "1") != "0"
         text = await self._hub.database.do(lambda c: export(c, room, names=names))
+        await self._tell_owner(account, room, "the log")
         headers = {"content-disposition": f'attachment; filename="log-{_file_name(room)}.jsonl"'}
         return Response(text, headers=headers, media_type="application/jsonl")
 
@@ -115,6 +117,7 @@ class Pages:
             return refused(404, "room", "there is no such room any more")
         if self._replaying.locked():
             return refused(503, "busy", "another replay is being made", "try again in a while")
+        await self._tell_owner(account, room, "a replay")
         async with self._replaying:
             log = await hub.database.do(lambda c: export(c, room, names=True))
             said = await hub.database.do(lambda c: said_to_all(c, room))
@@ -126,6 +129,12 @@ class Pages:
                 return refused(409, "replay", str(problem), "`vrts replay` tells more of a log")
         headers = {"content-disposition": f'attachment; filename="{_file_name(room)}.html"'}
         return Response(page, headers=headers, media_type="text/html")
+
+    async def _tell_owner(self, account: Account, id_: str, what: str) -> None:
+        """Say in a room of somebody's own that another has looked at what was done there."""
+        room = self._hub.rooms.get(id_)
+        if room is not None and room.own is not None and not room.is_own(account):
+            await announce(self._hub, room, f"{account.name} has fetched {what} of this room")
 
     async def _carried(self, request: Request) -> Carried | None:
         hub, query = self._hub, request.query_params

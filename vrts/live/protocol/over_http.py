@@ -102,7 +102,7 @@ class Me(msgspec.Struct, frozen=True):
     rooms: tuple[RoomEntry, ...]
     alone: bool = False  # there is nobody else
     students_reset: bool = False  # operators may reset and rewind
-    course: bool = False  # there are assignments, at `/course/work`
+    course: bool = False  # the server serves a course
 
 
 class Still(msgspec.Struct, frozen=True):

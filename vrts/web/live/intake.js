@@ -35,7 +35,7 @@ export class Intake {
         store.set({ room: message.room, rooms: message.rooms, scenes: message.scenes, noSession: null });
         store.set({ notes: message.notes });
         if (message.chat.length) store.set({ chat: message.chat });
-        store.set({ stopped: null, announced: null }); // told after this, if there is any
+        store.set({ stopped: null, announced: null, hands: null, pointed: null }); // told after this, if there is any
         if (other) this.heard.left();
         this.state(message, other);
         break;
@@ -53,6 +53,8 @@ export class Intake {
       case "code": store.set({ code: { code: message.code, url: message.url } }); break;
       case "announced": store.set({ announced: message.id ? /** @type {any} */ (message) : null }); break;
       case "stopped": store.set({ stopped: message.at ? /** @type {any} */ (message) : null }); break;
+      case "hands": store.set({ hands: /** @type {any} */ (message) }); break;
+      case "pointed": store.set({ pointed: /** @type {any} */ (message) }); break;
       case "refused": this.heard.refused(message); break;
     }
   }

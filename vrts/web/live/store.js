@@ -8,8 +8,10 @@
  * @property {string} name
  * @property {boolean} supervisor
  * @property {boolean} resets whether every operator may reset and rewind
- * @property {boolean} course whether there are assignments
  * @property {boolean} alone whether there is nobody else to come
+ * @property {boolean} course whether the server serves a course
+ * @property {import("./protocol.js").Hands | null} hands that are up in robots of students
+ * @property {{person: string, body: string} | null} pointed what somebody else points at
  * @property {import("./protocol.js").RoomEntry | null} room
  * @property {import("./protocol.js").RoomEntry[]} rooms
  * @property {string} projector id of the room that it shows
@@ -43,7 +45,7 @@
 /** @returns {Known} */
 function nothing() {
   return {
-    connection: "connecting", ended: "", you: "", name: "", supervisor: false, alone: false, resets: false, course: false, room: null, rooms: [], projector: "",
+    connection: "connecting", ended: "", you: "", name: "", supervisor: false, alone: false, resets: false, course: false, hands: null, pointed: null, room: null, rooms: [], projector: "",
     scenes: [], session: -1, sceneUrl: "", alive: false, noSession: null, people: [], barred: [], muted: [], chat: [], status: null, shown: null, programs: [],
     notes: [],
     places: [], contacts: [], near: [], events: [], output: "", task: null, marked: null, wall: [], announced: null, stopped: null, code: { code: "", url: "" },

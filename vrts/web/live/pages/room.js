@@ -72,6 +72,15 @@ export function showRoom(me, wanted) {
   later(app, async () => (await import("../panels/notes.js")).mountNotes(app));
   later(app, async () => (await import("../panels/chat.js")).mountChat(app));
   if (!me.alone) later(app, async () => (await import("../panels/people.js")).mountPeople(app));
+  if (me.course) {
+    later(app, async () => {
+      const [bar, hands, own, slots] = await Promise.all([import("../panels/own_bar.js"), import("../panels/own_hands.js"), import("../panels/own.js"), import("../panels/own_slots.js")]);
+      bar.mountOwnBar(app);
+      hands.mountOwnHands(app);
+      own.mountOwn(app);
+      slots.mountOwnSlots(app);
+    });
+  }
   if (me.supervisor && !me.alone) {
     later(app, async () => {
       const [{ mountLead }, { mountEntrance }] = await Promise.all([import("../panels/lead.js"), import("../panels/entrance.js")]);

@@ -6,6 +6,7 @@ import { byId, button, make } from "../dom.js";
 
 /** What each choice says, and what it sends. @type {Record<string, [string, (app: App) => void]>} */
 const CHOICES = {
+  wake: ["Wake it", ({ connection }) => connection.send("wake")],
   again: ["Try again", ({ connection }) => connection.send("go_on", { without_last: false })],
   without_last: ["Go on without the last command", ({ connection }) => connection.send("go_on", { without_last: true })],
   begin: ["Begin again", ({ connection, store }) => connection.send("set_scene", { scene: store.now.room?.scene ?? "" })],
@@ -23,7 +24,7 @@ export function mountNoSession(app) {
     place.append(make("p", { text: noSession.help ? sentence(noSession.help) : "Wait for the supervisor." }));
     const known = noSession.choices.filter((name) => name in CHOICES);
     if (!known.length) return;
-    const buttons = known.map((name) => button(CHOICES[name][0], () => CHOICES[name][1](app), name === "again" ? { class: "main" } : {}));
+    const buttons = known.map((name) => button(CHOICES[name][0], () => CHOICES[name][1](app), name === "again" || name === "wake" ? { class: "main" } : {}));
     place.append(make("div", { class: "row" }, ...buttons));
   });
 }

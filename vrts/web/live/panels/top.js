@@ -28,7 +28,8 @@ export function mountTop({ store, connection, toasts, panic }) {
     asked = performance.now();
     connection.send(control.holder === you || control.queue.includes(you) ? "hand_back" : "request_control");
   });
-  store.on(["room", "rooms"], ({ room, rooms }) => {
+  store.on(["room", "rooms"], ({ room, rooms: all }) => {
+    const rooms = room?.own && !all.some(({ id }) => id === room.id) ? [...all, room] : all; // of others' own rooms only the one that is looked into
     write(byId("room-name"), room?.name ?? "Room");
     document.title = `${room?.name ?? "Room"} · vrts`;
     byId("room-pick").hidden = rooms.length < 2;
