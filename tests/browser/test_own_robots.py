@@ -8,6 +8,7 @@ import pytest
 from playwright.sync_api import Browser
 
 from tests.browser.axe import AXE, faults
+from tests.browser.support import Opened
 from tests.browser.support_sessions import SHOWN, Desk, desk, supervisor
 from tests.support_course import came_in, course_folder
 from tests.support_live import LiveServer
@@ -83,7 +84,7 @@ def test_a_hand_brings_the_teacher_in_who_takes_control_and_gives_it_back(
     student.until(f"{points} === 'supervisor points at {thing}'")
     for one in (student, lead):
         one.page.evaluate(AXE)
-        assert faults(one, 1366, dark=one is lead) == []
+        assert faults(Opened(one.page), 1366, dark=one is lead) == []
     picture(student, "student-pointed")
     picture(lead, "lead-inside")
     lead.page.click(".own-bar button:text('Give control to Cy Dahl')")

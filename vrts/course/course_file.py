@@ -10,7 +10,7 @@ from vrts.base.source import SourceFile
 from vrts.base.toml.reading import Problems, Table, read_toml
 from vrts.course.course import COURSE_FILE, Assignment, Course, Rank, Staff, Team
 from vrts.course.robots.limits_table import read_limits
-from vrts.course.robots.slot_rules import read_slots
+from vrts.course.slot_rules import read_slots
 from vrts.live.names import display_name
 from vrts.pipeline.files import TASK_FILE, read_toml_source
 from vrts.pipeline.refused import Refused

@@ -95,6 +95,7 @@ class RobotPages:
 
     def _follow(self, course: Course) -> None:
         self._robots.follow(course)
+        self._hub.robots = course.own_robots or course.slots is not None
         if isinstance(self._hub.sleeping, Sleeper):
             self._hub.sleeping.limits = course.limits
 

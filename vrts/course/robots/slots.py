@@ -3,7 +3,7 @@
 from typing import Final
 
 from vrts.course.course import Course
-from vrts.course.robots.slot_rules import Slot, SlotRules
+from vrts.course.slot_rules import Slot, SlotRules
 from vrts.live.refusal import NotObeyed
 from vrts.live.rooms.hub import Hub
 from vrts.live.rooms.keeping import announce, control_changed

@@ -189,7 +189,8 @@ class Pages:
         settings = self._hub.settings
         rooms, may_reset = self._hub.entries(account), settings.students_reset
         alone, course = settings.alone, self._hub.course
-        return Me(account.name, account.supervisor, rooms, alone, may_reset, course)
+        robots = self._hub.robots
+        return Me(account.name, account.supervisor, rooms, alone, may_reset, course, robots)
 
 
 def _with(page: Content, carried: Carried) -> Content:

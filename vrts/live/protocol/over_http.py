@@ -102,7 +102,8 @@ class Me(msgspec.Struct, frozen=True):
     rooms: tuple[RoomEntry, ...]
     alone: bool = False  # there is nobody else
     students_reset: bool = False  # operators may reset and rewind
-    course: bool = False  # the server serves a course
+    course: bool = False  # there are assignments, at `/course/work`
+    robots: bool = False  # there are robots of one's own, at `/course/robots`, or time slots
 
 
 class Still(msgspec.Struct, frozen=True):

@@ -70,6 +70,7 @@ class Hub:
         self.unkept: dict[str, tuple[KeptNotice | None]] = {}  # notices to be kept, by room
         self.passwords = Passwords()
         self.projector = ""
+        self.robots = False  # whether there are robots of one's own, or time slots
         self.course = False  # whether a course is served: it has assignments
         self.branching: set[int] = set()  # accounts whose private rooms are being made
         self.branches = Buckets(*BRANCHES)  # how many each account begins

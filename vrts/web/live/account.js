@@ -2,7 +2,7 @@
 
 import { carried } from "./still/carried.js";
 
-/** @typedef {{name: string, supervisor: boolean, alone: boolean, students_reset: boolean, course?: boolean, rooms: import("./protocol.js").RoomEntry[]}} Me */
+/** @typedef {{name: string, supervisor: boolean, alone: boolean, students_reset: boolean, course?: boolean, robots?: boolean, rooms: import("./protocol.js").RoomEntry[]}} Me */
 
 /** What the server said when it let nobody in. */
 export class Denied extends Error {

@@ -9,7 +9,8 @@
  * @property {boolean} supervisor
  * @property {boolean} resets whether every operator may reset and rewind
  * @property {boolean} alone whether there is nobody else to come
- * @property {boolean} course whether the server serves a course
+ * @property {boolean} course whether there are assignments
+ * @property {boolean} robots whether there are robots of one's own, or time slots
  * @property {import("./protocol.js").Hands | null} hands that are up in robots of students
  * @property {{person: string, body: string} | null} pointed what somebody else points at
  * @property {import("./protocol.js").RoomEntry | null} room
@@ -45,7 +46,7 @@
 /** @returns {Known} */
 function nothing() {
   return {
-    connection: "connecting", ended: "", you: "", name: "", supervisor: false, alone: false, resets: false, course: false, hands: null, pointed: null, room: null, rooms: [], projector: "",
+    connection: "connecting", ended: "", you: "", name: "", supervisor: false, alone: false, resets: false, course: false, robots: false, hands: null, pointed: null, room: null, rooms: [], projector: "",
     scenes: [], session: -1, sceneUrl: "", alive: false, noSession: null, people: [], barred: [], muted: [], chat: [], status: null, shown: null, programs: [],
     notes: [],
     places: [], contacts: [], near: [], events: [], output: "", task: null, marked: null, wall: [], announced: null, stopped: null, code: { code: "", url: "" },

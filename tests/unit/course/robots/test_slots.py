@@ -11,8 +11,8 @@ from tests.unit.course.test_course_file import GOOD, folder_with_task, headlines
 from vrts.base.source import SourceFile
 from vrts.course.course import Course
 from vrts.course.course_file import read_course
-from vrts.course.robots.slot_rules import SlotRules
 from vrts.course.robots.slots import Slots
+from vrts.course.slot_rules import SlotRules
 from vrts.live.places import places_of
 from vrts.live.refusal import NotObeyed
 from vrts.live.rooms.hub import Hub

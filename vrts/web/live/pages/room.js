@@ -44,7 +44,7 @@ import { mountViews } from "../panels/views.js";
 export function showRoom(me, wanted) {
   byId("room").hidden = false;
   const app = started(wanted, false);
-  app.store.set({ name: me.name, supervisor: me.supervisor, alone: me.alone, resets: me.students_reset, course: Boolean(me.course), rooms: me.rooms });
+  app.store.set({ name: me.name, supervisor: me.supervisor, alone: me.alone, resets: me.students_reset, course: Boolean(me.course), robots: Boolean(me.robots), rooms: me.rooms });
   const notices = mountNotices(barOf("room"), app);
   const { panic } = app;
   app.panic = () => {
@@ -72,7 +72,7 @@ export function showRoom(me, wanted) {
   later(app, async () => (await import("../panels/notes.js")).mountNotes(app));
   later(app, async () => (await import("../panels/chat.js")).mountChat(app));
   if (!me.alone) later(app, async () => (await import("../panels/people.js")).mountPeople(app));
-  if (me.course) {
+  if (me.robots) {
     later(app, async () => {
       const [bar, hands, own, slots] = await Promise.all([import("../panels/own_bar.js"), import("../panels/own_hands.js"), import("../panels/own.js"), import("../panels/own_slots.js")]);
       bar.mountOwnBar(app);

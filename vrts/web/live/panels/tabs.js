@@ -53,8 +53,8 @@ export function mountTabs({ store }) {
     const chosen = tabs.find((tab) => tab.getAttribute("aria-selected") === "true");
     if (!chosen || chosen.hidden) show("panel-pendant");
   }
-  store.on(["supervisor", "alone", "course"], ({ supervisor, alone, course }) => {
-    for (const [name, wanted] of /** @type {const} */ ([["lead", supervisor && !alone], ["people", !alone], ["chat", !alone], ["own", course]])) {
+  store.on(["supervisor", "alone", "robots"], ({ supervisor, alone, robots }) => {
+    for (const [name, wanted] of /** @type {const} */ ([["lead", supervisor && !alone], ["people", !alone], ["chat", !alone], ["own", robots]])) {
       byId(`tab-${name}`).hidden = !wanted;
       byId(`panel-${name}`).hidden ||= !wanted;
     }
