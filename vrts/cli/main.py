@@ -62,6 +62,10 @@ SECTIONS = {  # heading: name: where it is, what it does
     },
     "Share a robot in the browser": {
         "serve": ("live.serve_command", "share sessions in the browser: a class and one robot"),
+        "course": (
+            "course.course_command",
+            "run a course: lists of the class, links for its people",
+        ),
         "teach": ("live.teach_command", "move the arm by keys and record locations"),
         "replay": ("live.replay_command", "repeat a live session from its log"),
     },

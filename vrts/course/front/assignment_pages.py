@@ -27,6 +27,8 @@ from vrts.course.front.told import (
     WorkTold,
 )
 from vrts.course.handing.marking import Marking
+from vrts.course.handing.names import folder_of
+from vrts.course.handing.published import final_of, report_of
 from vrts.course.handing.queue import Job, in_order
 from vrts.course.handing.standing import Refusal, opened
 from vrts.course.handing.taking import Taking
@@ -88,6 +90,7 @@ class AssignmentPages:
             Route("/course/work/text/{assignment}", self.text),
             Route("/course/work/hand-in", self.hand_in, methods=["POST"]),
             Route("/course/work/page/{assignment}/{number:int}", self.page),
+            Route("/course/work/final/{assignment}", self.final),
             Route("/course/work/program/{assignment}/{number:int}", self.program),
         )
 
@@ -131,7 +134,9 @@ class AssignmentPages:
                 facts = await asyncio.to_thread(facts_of, assignment)
                 if _sees(account, person, facts, at):
                     mine = [one for one in own if one.assignment == assignment.id]
-                    told.append(await asyncio.to_thread(self._work, facts, mine, at, places, names))
+                    told.append(
+                        await asyncio.to_thread(self._work, facts, mine, at, places, names, person)
+                    )
         rank, team = ("", "") if person is None else (person.rank, person.team)
         hands_in = person is not None and person.rank == "student" and person.listed
         return as_json(AllWorkTold(course.title, account.name, rank, team, hands_in, tuple(told)))
@@ -191,8 +196,22 @@ class AssignmentPages:
         path = self._marking.page(attempt.assignment, attempt.digest)
         if not await asyncio.to_thread(path.is_file):
             return refused(404, "page", "there is no page about this attempt")
-        headers = {"content-security-policy": IN_SANDBOX, "cache-control": "no-store"}
-        return FileResponse(path, headers=headers, media_type="text/html; charset=utf-8")
+        return _in_sandbox(path)
+
+    async def final(self, request: Request) -> Response:
+        """Return the report that goes with one's own final mark, in a sandbox."""
+        found = await self._asked(request)
+        if isinstance(found, Response):
+            return found
+        account, facts = found
+        person = await self._hub.database.do(lambda c: person_of(c, account.id))
+        if person is None:
+            return refused(404, "page", "nothing is published for you")
+        folder, course = folder_of(person.key, person.email), self._taking.course
+        path = await asyncio.to_thread(report_of, course, facts.assignment.id, folder)
+        if path is None:
+            return refused(404, "page", "nothing is published for you")
+        return _in_sandbox(path)
 
     async def program(self, request: Request) -> Response:
         """Return a program as one has handed it in."""
@@ -251,11 +270,15 @@ class AssignmentPages:
         at: float,
         places: dict[Job, int],
         names: dict[int, str],
+        person: Person | None,
     ) -> WorkTold:
         assignment: Assignment = facts.assignment
         used = max((one.number for one in attempts), default=0)
         stands = self._taking.standing(facts, used, at)
-        why = stands.refusal
+        why, final = stands.refusal, None
+        if person is not None:
+            folder = folder_of(person.key, person.email)
+            final = final_of(self._taking.course, assignment.id, folder)
         return WorkTold(
             assignment.id,
             facts.title,
@@ -271,6 +294,7 @@ class AssignmentPages:
             "" if why is None else why.text,
             "" if why is None else why.help,
             tuple(self._told(one, places, names) for one in reversed(attempts)),
+            final,
         )
 
     def _told(self, one: Attempt, places: dict[Job, int], names: dict[int, str]) -> AttemptTold:
@@ -291,6 +315,11 @@ class AssignmentPages:
                 for x in one.causes
             ),
         )
+
+
+def _in_sandbox(path: Path) -> Response:
+    headers = {"content-security-policy": IN_SANDBOX, "cache-control": "no-store"}
+    return FileResponse(path, headers=headers, media_type="text/html; charset=utf-8")
 
 
 def _sees(account: Account, person: Person | None, facts: Facts, at: float) -> bool:

@@ -5,6 +5,7 @@ from typing import Annotated
 import msgspec
 from msgspec import Meta
 
+from vrts.course.handing.published import Returning
 from vrts.course.handing.words import Block
 from vrts.live.actions import LONGEST_PROGRAM
 
@@ -71,6 +72,7 @@ class WorkTold(msgspec.Struct, frozen=True, omit_defaults=True):
     refusal: str  # why nothing is taken now; empty: something is
     refusal_help: str
     attempts: tuple[AttemptTold, ...] = ()
+    final: Returning | None = None  # what the teacher has published
 
 
 class AllWorkTold(msgspec.Struct, frozen=True):

@@ -19,7 +19,7 @@ def folder_of(key: str, email: str) -> str:
 
     Two people never have the same one: what cannot stand in a name is told apart by a digest.
     """
-    called = (email or key).casefold()
+    called = (email or key.replace(" ", "-", 1)).casefold()  # "canvas 4711" has a blank
     if _PLAIN.fullmatch(called) and len(called) <= LONGEST and not called.endswith("."):
         return called
     return f"{safe(called)[:60]}-{hashlib.sha256(called.encode()).hexdigest()[:8]}"

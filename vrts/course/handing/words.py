@@ -134,6 +134,7 @@ def _list(lines: Sequence[str]) -> Block:
 
 def spans_of(text: str) -> Spans:
     """Return a line as pieces."""
+    text = text.strip()
     found: list[Span] = []
     at = 0
     for match in _INLINE.finditer(text):
@@ -144,7 +145,7 @@ def spans_of(text: str) -> Spans:
         if len(found) >= MOST_SPANS:
             break
     if text[at:]:
-        found.append(Span(text[at:].strip() if not found else text[at:]))
+        found.append(Span(text[at:]))
     return tuple(found)
 
 

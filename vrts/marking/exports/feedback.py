@@ -50,7 +50,7 @@ class Words(NamedTuple):
 
 def feedback_text(told: Returned) -> bytes:
     """Return the words for a text file."""
-    words = _words(told)
+    words = words_for(told)
     lines = [words.title, words.mark]
     if words.made_of:
         lines += ["", "How the mark came to be:", *_listed(words.made_of)]
@@ -65,7 +65,7 @@ def feedback_text(told: Returned) -> bytes:
 
 def feedback_html(told: Returned) -> str:
     """Return the words as HTML on one line; what is foreign in them is escaped."""
-    words = _words(told)
+    words = words_for(told)
     parts = [element("p", words.mark)]
     for heading, listed in (
         ("How the mark came to be:", words.made_of),
@@ -92,7 +92,8 @@ def unsure(row: Row) -> list[str]:
     return told
 
 
-def _words(told: Returned) -> Words:
+def words_for(told: Returned) -> Words:
+    """Return everything there is to say to a student."""
     row, public = told
     final = row.exact_final
     mark = (

@@ -19,7 +19,18 @@ from vrts.pipeline.files import CannotRead
 
 LARGEST = 16_000_000  # bytes
 CANVAS_HEADER = ("student", "id")
-KNOWN = ("identifier", "full name", "email address", "status", *CANVAS_HEADER, "section")
+PLAIN_NAMES = ("name", "full name")  # columns of a table that somebody wrote
+PLAIN_EMAILS = ("email", "e-mail", "email address", "mail")
+KNOWN = (
+    "name",
+    "email",
+    "identifier",
+    "full name",
+    "email address",
+    "status",
+    *CANVAS_HEADER,
+    "section",
+)
 
 _PARTICIPANT = re.compile(r"[^\d@]+?(\d+)$")  # "Participant 123456", "Teilnehmer/in123456"
 _ADDRESS = re.compile(r"[^@\s]+@[^@\s]+$")
@@ -45,7 +56,9 @@ class Roster(NamedTuple):
 
 
 def read_roster(data: bytes, name: str, zone: tzinfo | None) -> Roster:
-    """Return the class of a grading worksheet of Moodle, or a grade book of Canvas.
+    """Return the class of a grading worksheet of Moodle, a grade book of Canvas, or a plain table.
+
+    A plain table has columns `name` and `email`, and if you like `id`.
 
     Args:
         data: Content of the list.
@@ -61,6 +74,10 @@ def read_roster(data: bytes, name: str, zone: tzinfo | None) -> Roster:
         return _canvas(header, lines[1:])
     if len(lines) > 1 and all(_PARTICIPANT.match(line[0].text.strip()) for line in lines[1:]):
         return _moodle(header, lines[1:], name, zone)
+    if header and "identifier" not in header:
+        plain = _plain(header, lines[1:])
+        if plain is not None:
+            return plain
     hint = "export Moodle's grading worksheet, or the grade book of Canvas"
     raise CannotRead(f"`{name}` is no list of a class", (hint,))
 
@@ -68,14 +85,33 @@ def read_roster(data: bytes, name: str, zone: tzinfo | None) -> Roster:
 def enrolled(layout: Layout, roster: Roster) -> Layout:
     """Return a layout with what a list tells of its students, and hand-ins of who is absent."""
     platform = roster.platform.value
-    if not any(platform in hand_in.student.ids for hand_in in layout.hand_ins):
+    called = {
+        name.casefold(): number
+        for number, member in roster.members.items()
+        for name in (
+            member.student.email,
+            member.student.login,
+            f"{platform}-{number}",
+            f"id-{number}",
+        )
+        if name
+    }
+
+    def number_of(hand_in: HandIn) -> str:
+        """Return the id of whose it is: as the platform says, or as folders of hand-ins do."""
+        own = hand_in.student.ids.get(platform, "")
+        return own or called.get(
+            hand_in.student.email.casefold() or hand_in.words[0].casefold(), ""
+        )
+
+    if not any(number_of(hand_in) for hand_in in layout.hand_ins):
         remark = f"the list of the class has ids of {platform}, the download has none: not used"
         return layout._replace(remarks=(*layout.remarks, remark))
     seen: set[str] = set()
     hand_ins: list[HandIn] = []
     remarks = list(roster.remarks)
     for hand_in in layout.hand_ins:
-        number = hand_in.student.ids.get(platform, "")
+        number = number_of(hand_in)
         member = roster.members.get(number)
         if member is None:
             remarks.append(f"`{' '.join(hand_in.words)}` is not in the list of the class")
@@ -95,6 +131,23 @@ def enrolled(layout: Layout, roster: Roster) -> Layout:
         if number not in seen
     ]
     return layout._replace(hand_ins=tuple(hand_ins), remarks=(*layout.remarks, *remarks))
+
+
+def _plain(header: Sequence[str], lines: Sequence[Sequence[Cell]]) -> Roster | None:
+    """Return the class of a table that somebody wrote; None: it is none."""
+    names, emails = ({*header} & {*known} for known in (PLAIN_NAMES, PLAIN_EMAILS))
+    if not names or not (emails or "id" in header):
+        return None
+    name, email = names.pop(), emails.pop() if emails else ""
+    members: dict[str, Member] = {}
+    for line in lines:
+        cells = dict(zip(header, (cell.text.strip() for cell in line), strict=False))
+        address = cells.get(email, "").casefold()
+        number = plain_id(cells.get("id", "")) or address
+        if cells.get(name) and number:
+            ids = {Platform.SIS.value: number} if number != address else {}
+            members[number] = Member(Student(cells[name], address, ids=ids), None)
+    return Roster(Platform.SIS, members, ())
 
 
 def _canvas(header: Sequence[str], lines: Sequence[Sequence[Cell]]) -> Roster:

@@ -31,8 +31,9 @@ export function drawn(blocks) {
     }
     if (block.kind === "table") {
       const [head, ...rows] = block.rows ?? [];
-      return make("table", {}, make("thead", {}, make("tr", {}, ...(head ?? []).map((cell) => make("th", { scope: "col" }, ...pieces(cell))))),
-        make("tbody", {}, ...rows.map((row) => make("tr", {}, ...row.map((cell) => make("td", {}, ...pieces(cell)))))));
+      const titles = (head ?? []).map((cell) => (cell.length ? make("th", { scope: "col" }, ...pieces(cell)) : make("td")));
+      const titled = (head ?? []).some((cell) => cell.length);
+      return make("table", {}, ...(titled ? [make("thead", {}, make("tr", {}, ...titles))] : []), make("tbody", {}, ...rows.map((row) => make("tr", {}, ...row.map((cell) => make("td", {}, ...pieces(cell)))))));
     }
     return make("p", {}, ...spans);
   });

@@ -1,0 +1,83 @@
+"""A student's assignments in a real browser: read, hand in, see mark and why; axe."""
+
+import os
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser
+
+from tests.browser.axe import AXE, faults
+from tests.browser.support import PATIENCE, Opened
+from tests.support_handing import (
+    EXAMPLE,
+    PASSWORD,
+    STUDENTS,
+    course_folder,
+    enrol,
+    log_in,
+)
+from tests.support_live import LiveServer
+
+pytestmark = pytest.mark.browser
+
+WIDE, PHONE = 1366, 390
+LATE = "[late]\ndue = 2026-11-20T12:00:00+01:00\nper_day = 1\nmost = 3\n"
+
+
+@pytest.fixture
+def work(browser: Browser, tmp_path: Path) -> Iterator[tuple[Opened, LiveServer]]:
+    """Open the assignments of a course as a student of it."""
+    kept = tmp_path / "kept"
+    course = course_folder(tmp_path / "course", "attempts = 3\n", LATE)
+    enrol(kept, password=PASSWORD)
+    with LiveServer(kept, scenes=(str(course),)) as server:
+        context = browser.new_context(viewport={"width": WIDE, "height": 900})
+        context.add_init_script(AXE)
+        for cookie in log_in(server, STUDENTS[0][0]).split("; "):
+            name, _, value = cookie.partition("=")
+            context.add_cookies([{"name": name, "value": value, "url": f"http://{server.host}"}])
+        view = Opened(context.new_page())
+        view.page.set_default_timeout(2 * PATIENCE * 1000)
+        view.page.on("console", lambda message: view.messages.append(message.text))
+        view.page.on("pageerror", lambda error: view.messages.append(str(error)))
+        view.page.goto(f"http://{server.host}/course/work")
+        view.page.wait_for_selector("#work-title")
+        yield view, server
+        context.close()
+
+
+def test_a_student_reads_hands_in_and_sees_why(work: tuple[Opened, LiveServer]) -> None:
+    view, _ = work
+    page = view.page
+    assert page.inner_text("#work-title") == "Cans on bases"
+    assert "the deadline is over" in page.inner_text(".facts")
+    page.wait_for_selector(".words h3")
+    page.set_input_files("#work-file", EXAMPLE / "submissions" / "hits-base.v2")
+    page.click("text=Hand in …")
+    question = page.inner_text("#hand-in-what")
+    assert "becomes attempt 1 of 3" in question
+    assert "late: 3 points less" in question
+    page.click("dialog .main")
+    page.wait_for_selector(".attempt .mark")
+    assert page.inner_text(".attempt .mark") == "7.0 of 10.0"
+    page.click(".losses summary")
+    assert "can1 is 59 mm too low" in page.inner_text(".losses ol")
+    for dark in (False, True):
+        print(faults(view, WIDE, dark=dark))
+        assert faults(view, WIDE, dark=dark) == []
+        _picture(view, f"work-{'dark' if dark else 'light'}")
+    assert faults(view, PHONE, dark=False) == []
+    _picture(view, "work-phone")
+    with page.context.expect_page() as opened:
+        page.click("text=Report and replay")
+    report = opened.value
+    report.wait_for_selector("canvas")
+    assert "hits base1" in report.inner_text("body")
+    assert view.messages == []
+
+
+def _picture(view: Opened, name: str) -> None:
+    folder = os.environ.get("VRTS_PICTURES")
+    if folder:
+        view.page.screenshot(path=f"{folder}/{name}.png", full_page=True)
