@@ -64,7 +64,6 @@ def test_a_student_reads_hands_in_and_sees_why(work: tuple[Opened, LiveServer]) 
     page.click(".losses summary")
     assert "can1 is 59 mm too low" in page.inner_text(".losses ol")
     for dark in (False, True):
-        print(faults(view, WIDE, dark=dark))
         assert faults(view, WIDE, dark=dark) == []
         _picture(view, f"work-{'dark' if dark else 'light'}")
     assert faults(view, PHONE, dark=False) == []
@@ -80,4 +79,4 @@ def test_a_student_reads_hands_in_and_sees_why(work: tuple[Opened, LiveServer]) 
 def _picture(view: Opened, name: str) -> None:
     folder = os.environ.get("VRTS_PICTURES")
     if folder:
-        view.page.screenshot(path=f"{folder}/{name}.png", full_page=True)
+        view.page.screenshot(path=f"{folder}/{name}.png")

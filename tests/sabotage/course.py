@@ -3,9 +3,48 @@
 from tests.sabotage.patch import Patch
 
 BOARD = "tests/unit/course/board/test_board.py"
+TAKING = "tests/unit/course/handing/test_taking.py"
+HANDING_RULES = "tests/unit/course/handing/test_rules.py"
+WORK = "tests/unit/course/handing/test_work_over_http.py"
+PUBLISHED = "tests/unit/course/handing/test_published.py"
 BOARD_PAGES = "tests/unit/course/board/test_board_pages.py"
 
 COURSE: tuple[Patch, ...] = (
+    Patch(
+        "a hand-in that a crash has left half done is not finished at the next start",
+        "vrts/course/handing/taking.py",
+        "in await asyncio.to_thread(lambda: list(deposit.unfinished(home))):",
+        "in []:",
+        (TAKING,),
+    ),
+    Patch(
+        "a program is taken at a price that nobody agreed to",
+        "vrts/course/handing/taking.py",
+        "            if seen != (used + 1, stands.late):",
+        "            if seen[0] != used + 1:",
+        (TAKING,),
+    ),
+    Patch(
+        "the many hand-ins of one keep all others waiting",
+        "vrts/course/handing/queue.py",
+        "    return sorted(found, key=lambda job: (*found[job], job))",
+        "    return sorted(found, key=lambda job: (found[job][1], job))",
+        (HANDING_RULES,),
+    ),
+    Patch(
+        "the page marks by hidden checks, too",
+        "vrts/course/handing/public_marker.py",
+        "            marked = mark(order, self.public, self.wanted, by)",
+        "            marked = mark(order, Marker(self.place, self.wanted).whole, self.wanted, by)",
+        (WORK,),
+    ),
+    Patch(
+        "marks that are unsafe are published, asked or not",
+        "vrts/course/handing/publishing.py",
+        "    if unsafe:\n",
+        "    if unsafe and not rows:\n",
+        (PUBLISHED,),
+    ),
     Patch(
         "everybody who is logged in sees the board of a course",
         "vrts/course/front/board_pages.py",

@@ -20,6 +20,7 @@ let shown = ""; // what is drawn, as text
 /** @type {Map<string, {blocks: import("./words.js").Block[], start: string, problem: string}>} */
 const texts = new Map();
 let next = 0;
+let room = ""; // one that one may enter: programs are asked for through it
 
 function chosen() {
   const id = decodeURIComponent(location.hash.slice(1));
@@ -109,7 +110,8 @@ function handing(work) {
 
 /** @param {HTMLSelectElement} pick */
 async function fill(pick) {
-  const answer = await fetch("/programs");
+  if (!room) return;
+  const answer = await fetch(`/programs?${new URLSearchParams({ room })}`);
   if (!answer.ok) return;
   const { own } = await answer.json();
   pick.append(...own.map((/** @type {{name: string, number: number}} */ one) => make("option", { value: JSON.stringify([one.name, one.number]), text: `${one.name} (version ${one.number})` })));
@@ -189,7 +191,8 @@ function tick() {
 window.addEventListener("hashchange", () => show());
 window.addEventListener("focus", () => void load());
 applyTheme(chosenTheme());
-void fetch("/me").then((answer) => {
+void fetch("/me").then(async (answer) => {
   behind = (Date.parse(answer.headers.get("date") ?? "") - Date.now()) / 1000 || 0;
+  if (answer.ok) room = (await answer.json()).rooms[0]?.id ?? "";
   return load();
 });

@@ -33,7 +33,8 @@ export function drawn(blocks) {
       const [head, ...rows] = block.rows ?? [];
       const titles = (head ?? []).map((cell) => (cell.length ? make("th", { scope: "col" }, ...pieces(cell)) : make("td")));
       const titled = (head ?? []).some((cell) => cell.length);
-      return make("table", {}, ...(titled ? [make("thead", {}, make("tr", {}, ...titles))] : []), make("tbody", {}, ...rows.map((row) => make("tr", {}, ...row.map((cell) => make("td", {}, ...pieces(cell)))))));
+      return make("table", {}, ...(titled ? [make("thead", {}, make("tr", {}, ...titles))] : []), make("tbody", {}, ...rows.map((row) => make("tr", {}, ...row.map((cell, index) =>
+        (index || !cell.length ? make("td", {}, ...pieces(cell)) : make("th", { scope: "row" }, ...pieces(cell))))))));
     }
     return make("p", {}, ...spans);
   });
