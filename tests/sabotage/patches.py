@@ -2350,6 +2350,27 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/live/nursery/test_nursery.py",),
     ),
     Patch(
+        "a session wakes with a state that was changed",
+        "vrts/live/session/sleeping/state.py",
+        "if hashlib.sha256(data).hexdigest() != sha256:",
+        "if not sha256:",
+        ("tests/unit/live/session/sleeping/test_state.py",),
+    ),
+    Patch(
+        "a room asleep that is woken from its log is stopped",
+        "vrts/live/session/process.py",
+        "How.SLEPT if start.slept else",
+        "How.STOPPED if start.slept else",
+        ("tests/unit/live/rooms/test_asleep.py",),
+    ),
+    Patch(
+        "a rewind that waited leads nowhere",
+        "vrts/live/session/live_session.py",
+        "            if self.epoch_s != epoch_s:  # session time has jumped, back as a rule",
+        "            if self.epoch_s is None:",
+        ("tests/unit/live/session/test_live_session.py",),
+    ),
+    Patch(
         "poses of a session that were not read in time are all sent",
         "vrts/live/rooms/process.py",
         "elif number == poses[-1]:",

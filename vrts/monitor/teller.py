@@ -1,6 +1,7 @@
 """What the terminal shows of the events of a run."""
 
 from collections.abc import Iterable
+from typing import NamedTuple
 
 from vrts.engine.memory.events import (
     Answered,
@@ -17,6 +18,15 @@ from vrts.monitor.desk import ALONE
 _REASONS = {"paused": "(PAUSED)\n", "halted": "(HALTED)\n", "aborted": "(ABORTED)\n"}
 
 
+class Standing(NamedTuple):
+    """Where a terminal stands."""
+
+    at_start: bool = True  # of a line
+    alone: bool = False  # what executes is the instruction of a DO
+    answers: tuple[str, ...] = ()  # typed, and not yet read by the program
+    echo: str = ""  # of an answer, which the terminal has shown while it was typed
+
+
 class Teller:
     """Turns events into text; knows where the terminal stands."""
 
@@ -26,6 +36,16 @@ class Teller:
         self._alone = False  # whether what executes is the instruction of a DO
         self._answers: list[str] = []  # typed, and not yet read by the program
         self._echo = ""  # of an answer, which the terminal has shown while it was typed
+
+    @property
+    def standing(self) -> Standing:
+        """Where the terminal stands, for one that goes on elsewhere."""
+        return Standing(self._at_start, self._alone, tuple(self._answers), self._echo)
+
+    def stand(self, standing: Standing) -> None:
+        """Go on where another one stood."""
+        self._at_start, self._alone, self._echo = standing.at_start, standing.alone, standing.echo
+        self._answers = list(standing.answers)
 
     def typed(self) -> None:
         """Note that RETURN was pressed."""

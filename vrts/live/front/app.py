@@ -87,6 +87,7 @@ def application(
                 sessions.begin(await make_room(hub, name, settings.places[0].id))
         if added is not None:
             await added.open()
+        hub.spawn(sessions.prepare())
         hub.spawn(pulse(hub, *((sleeper,) if added is None else (sleeper, added))))
         gc.collect()
         gc.freeze()  # what is loaded is needed for good: no collection has to look at it again

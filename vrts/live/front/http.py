@@ -21,6 +21,7 @@ from vrts.live.refusal import NotObeyed
 from vrts.live.rooms.entering import log_out, room_for
 from vrts.live.rooms.hub import Hub, may_see
 from vrts.live.rooms.keeping import announce
+from vrts.live.rooms.resting.last_seen import drawn
 from vrts.live.rooms.wall import still
 from vrts.live.store import accounts
 from vrts.live.store.accounts import LOGIN_S, Account
@@ -79,8 +80,8 @@ class Pages:
             return _nobody()
         room = self._hub.rooms.get(request.path_params["room"])
         session = request.path_params["session"]
-        process = None if room is None else room.process
-        if room is None or process is None or not process.ready or room.session != session:
+        scene = b"" if room is None else drawn(room)
+        if room is None or not scene or room.session != session:
             return refused(404, "scene", "there is no such scene any more")
         if not may_see(account, room):
             return refused(403, "room", "this link is for another room")
@@ -90,7 +91,7 @@ class Pages:
                 id_ = old.partition("/")[0]
                 if id_ == room.id or id_ not in self._hub.rooms:
                     del self._scenes[old]
-            self._scenes[key] = content(process.scene, JSON)
+            self._scenes[key] = content(scene, JSON)
         return self._scenes[key].answer(request, cache="private, no-cache")
 
     async def log(self, request: Request) -> Response:

@@ -16,7 +16,7 @@ from vrts.live.session.channel.messages import Act, Done, Halt
 
 NO_COMMANDS = frozenset(  # records of what else happened in a room
     ("allow", "close", "control", "freeze", "hand_over", "join", "kick", "lock", "note")
-)
+) | {"sleep", "wake"}  # as if nothing had been: session time stands still meanwhile
 JUMPS = frozenset(("reset", "rewind"))  # after which session time is another one
 
 

@@ -13,7 +13,7 @@ from vrts.live.lasting.folder_lock import holder
 from vrts.live.logs.logged_sessions import NO_COMMANDS
 from vrts.live.notices.kept import EVERYWHERE, forget_notices
 from vrts.live.personal.names import Names, accounts_of
-from vrts.live.session.growing.folder import FILE, OFF
+from vrts.live.session.growing.folder import ASLEEP, FILE, OFF, SHOWN
 from vrts.live.settings import DATABASE, SESSIONS
 from vrts.live.store import log
 from vrts.live.store.course.own_rooms import forget_hands
@@ -177,7 +177,8 @@ def _forget_files(folder: Path, accounts: list[int], rooms: set[str]) -> None:
         if not own and session.name.rpartition("-")[0] not in rooms:
             continue
         (session / OFF).touch(mode=0o600)
-        for file in (session / FILE, (session / FILE).with_suffix(".part"), session / BEFORE):
+        names = (FILE, Path(FILE).with_suffix(".part").name, BEFORE, ASLEEP, SHOWN)
+        for file in (session / name for name in names):
             file.unlink(missing_ok=True)
         for place in own:
             shutil.rmtree(place)

@@ -19,6 +19,7 @@ from vrts.live.refusal import NotObeyed
 from vrts.live.rooms.hub import Hub, may_enter
 from vrts.live.rooms.keeping import control_changed, keep_soon, record
 from vrts.live.rooms.member import Member
+from vrts.live.rooms.resting.last_seen import last_seen
 from vrts.live.rooms.room import Room
 from vrts.live.store.accounts import GUESTS, Account
 from vrts.live.store.guests import saw
@@ -90,7 +91,7 @@ def enter(
     room.tell_people_soon()
     room.joining.append(member)
     if room.process is None or not room.process.ready:
-        settle(hub, room, b"null")
+        settle(hub, room, bytes(last_seen(room).state))
     elif len(room.joining) == 1:
         room.process.ask_snapshot()
     return member

@@ -37,7 +37,8 @@ from vrts.live.rooms.noting import put_note
 from vrts.live.rooms.own.hands import leads, lower_hand, point, raise_hand
 from vrts.live.rooms.private.branching import branch, end_earlier
 from vrts.live.rooms.process import SessionProcess
-from vrts.live.rooms.room import Room
+from vrts.live.rooms.resting.falling import hold
+from vrts.live.rooms.room import Held, Room
 from vrts.live.rooms.sessions import Sessions
 from vrts.live.rooms.supervising import supervise
 
@@ -69,7 +70,7 @@ async def obey(hub: Hub, sessions: Sessions, member: Member, message: FromClient
     match message:
         case Command():
             await _awake(hub, room, member)
-            _command(hub, room, member, message, now)
+            _command(hub, sessions, room, member, message, now)
         case Join():
             raise NotObeyed("joined", "this connection has joined already")
         case SetRate():
@@ -149,7 +150,9 @@ def _panic(room: Room, member: Member) -> None:
     room.panic(member)
 
 
-def _command(hub: Hub, room: Room, member: Member, message: Command, now: float) -> None:
+def _command(
+    hub: Hub, sessions: Sessions, room: Room, member: Member, message: Command, now: float
+) -> None:
     action = message.action
     why = room.control.accept(member.id, message.lease, message.number, now)
     if why:
@@ -170,8 +173,12 @@ def _command(hub: Hub, room: Room, member: Member, message: Command, now: float)
         raise NotObeyed("disk", NO_DISK, DISK_HELP)
     if room.logged > hub.settings.log_quota and not _stops(action):
         raise NotObeyed("log", LOG_FULL, LOG_HELP)
-    process = _running(room)
     kind = "keep" if isinstance(action, Keep) else str(action.__struct_config__.tag)
+    if room.rest != "awake":
+        hold(room, Held(kind, member, message.number, action))
+        sessions.wake(room)
+        return
+    process = _running(room)
     ref = process.act(f"p{member.account.id}", action)
     room.ask(ref, kind, member, message.number, encode(action))
 

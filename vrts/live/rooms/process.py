@@ -23,6 +23,7 @@ from vrts.live.session.channel.messages import (
     AskState,
     Halt,
     Pace,
+    Sleep,
     Start,
     Stop,
     ToSession,
@@ -59,6 +60,7 @@ class Head(msgspec.Struct, frozen=True):
     scene: msgspec.Raw = msgspec.Raw()
     carried_s: float | None = None
     anew: str = ""
+    sha256: str = ""
     controller: str = ""
     controller_sha256: str = ""
 
@@ -96,6 +98,9 @@ class SessionProcess:
         self.failure = ""  # why it ended
         self._ready_at = 0.0
         self._stopped = False  # it was asked to end, begun or not
+        self.slept = False  # it ends because its room sleeps
+        self.unfit = ""  # why the state in its folder is none to wake with
+        self._sleeps: dict[int, asyncio.Future[Head]] = {}  # by reference of the order
         self._states: dict[int, asyncio.Future[StateAnswer]] = {}  # by reference of the question
 
     async def run(self) -> None:
@@ -161,6 +166,17 @@ class SessionProcess:
             return await coming
         finally:
             self._states.pop(ref, None)
+
+    async def sleep(self) -> Head:
+        """Have it get ready to end with everything kept; return what it answers."""
+        self._ref += 1
+        ref, coming = self._ref, asyncio.get_running_loop().create_future()
+        self._sleeps[ref] = coming
+        self._send(Sleep(ref))
+        try:
+            return await coming
+        finally:
+            self._sleeps.pop(ref, None)
 
     def set_pace(self, rate: int) -> None:
         """Have so many pose frames made a second."""
@@ -251,6 +267,12 @@ class SessionProcess:
         elif head.type == "left":
             self._answer_state(head.ref, _states.decode(message))
             return
+        elif head.type == "slept":
+            self._answer_sleep(head.ref, head)
+            return
+        elif head.type == "unfit":
+            self.unfit = head.text
+            return
         self._on_message(head, message)
 
     def _answer_state(self, ref: int, answer: StateAnswer) -> None:
@@ -258,7 +280,14 @@ class SessionProcess:
         if coming is not None and not coming.done():
             coming.set_result(answer)
 
+    def _answer_sleep(self, ref: int, answer: Head) -> None:
+        coming = self._sleeps.get(ref)
+        if coming is not None and not coming.done():
+            coming.set_result(answer)
+
     async def _end(self) -> None:
+        for ref in list(self._sleeps):
+            self._answer_sleep(ref, Head("slept", text=ENDED))
         for ref in list(self._states):
             self._answer_state(ref, StateAnswer("", ENDED))
         process = self._process

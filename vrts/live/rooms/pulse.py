@@ -135,7 +135,7 @@ async def _send_purged_away(hub: Hub) -> None:
 
 def _keep_reached(hub: Hub) -> None:
     """Keep how far sessions have come: after a restart they go on from there."""
-    known = [room.reached for room in hub.rooms.values()]
+    known = [room.reached for room in hub.rooms.values() if room.rest == "awake"]
     found = [reached for reached in known if reached is not None]
     if found:
         hub.spawn(keep_soon(hub, lambda connection: keep_reached(connection, found)))

@@ -9,6 +9,7 @@ from typing import Final, Literal, NamedTuple
 import msgspec
 from msgspec import structs
 
+from vrts.live.actions import Action
 from vrts.live.door import binary_frame, text_frame
 from vrts.live.lasting.clock import steady, wall
 from vrts.live.looking.blocks import Blocks
@@ -54,6 +55,15 @@ class Told(NamedTuple):
     at: float  # of a clock that only goes on [s]
 
 
+class Held(NamedTuple):
+    """A command that is given when the session has woken."""
+
+    kind: str
+    member: Member
+    of: int
+    action: Action
+
+
 class Asked(NamedTuple):
     """A command or question that the session has not answered yet."""
 
@@ -76,6 +86,9 @@ class Room:
     session: int = 0
     process: SessionProcess | None = None
     wake: asyncio.Event = field(default_factory=asyncio.Event)  # what keeps it going is to look
+    resting_in: str = ""  # folder of the session that is asleep
+    woken: bool = False  # somebody wants it awake while it falls asleep
+    held: list[Held] = field(default_factory=list[Held])  # commands until it is awake
     task: str = ""  # title
     offered: bool = True  # the server has its scene
     waits: NoSession | None = None  # for its supervisor, who has to choose; None: it does not
@@ -163,6 +176,7 @@ class Room:
     def scene_url(self) -> str:
         """Where the scene can be fetched; empty while the session begins."""
         ready = self.process is not None and self.process.ready
+        ready = ready or self.rest in ("falling", "asleep")
         return f"/scene/{self.id}/{self.session}" if ready else ""
 
     # --- telling ---------------------------------------------------------------------------------
@@ -269,7 +283,8 @@ class Room:
     def panic(self, member: Member) -> None:
         """Pass a panic on at once; while one is on its way, another would change nothing."""
         self.panicked = steady()
-        if self.process is not None and self.process.ready and not self.halting:
+        ready = self.process is not None and self.process.ready
+        if self.process is not None and ready and not self.halting and self.rest == "awake":
             self.halting = True
             self.ask(self.process.halt(), "panic", member, 0, PANIC)
 

@@ -3,6 +3,7 @@
 import asyncio
 import contextlib
 import hashlib
+import logging
 import time
 from collections import Counter
 from pathlib import Path
@@ -12,7 +13,7 @@ import msgspec
 
 from vrts import __version__
 from vrts.live.logs.logged_sessions import JUMPS, LogFault
-from vrts.live.logs.unfinished import Unfinished, unfinished
+from vrts.live.logs.unfinished import Sleeping, Unfinished, asleep, unfinished
 from vrts.live.notices.stopping import is_panic, moves
 from vrts.live.nursery.nursery import Nursery
 from vrts.live.protocol.coding import encode
@@ -43,7 +44,9 @@ from vrts.live.rooms.keeping import (
 )
 from vrts.live.rooms.member import FULL_RATE, Member
 from vrts.live.rooms.noting import forget_notes, remember_notes
-from vrts.live.rooms.process import Head, SessionProcess
+from vrts.live.rooms.process import ENDED, Head, SessionProcess
+from vrts.live.rooms.resting.falling import fall_asleep
+from vrts.live.rooms.resting.last_seen import last_seen
 from vrts.live.rooms.room import PANIC, Asked, Room
 from vrts.live.rooms.wall import learn_bodies
 from vrts.live.session.channel.entries import Entry, write_entries
@@ -58,6 +61,9 @@ STARTING: Final = 2  # sessions that begin at the same time
 NOT_LOGGED: Final = "this was done, but could not be recorded yet: tell the supervisor"
 CANNOT_BEGIN: Final = "the server cannot begin the session"
 DOUBLED: Final = 6  # how often the pause before it is tried again grows
+WAKING: Final = "this robot is waking up"
+UNFIT: Final = "room %s wakes from its log, not from its state: %s"
+_log = logging.getLogger("vrts.live")
 _NUMBERS: Final = 65_535
 
 _RAW = msgspec.Raw
@@ -73,27 +79,16 @@ class Sessions:
         self._folder = hub.settings.folder / SESSIONS
         self._going: set[str] = set()  # rooms that are kept going
         self._nursery = Nursery()
+        self._unfit: set[str] = set()  # digests of states that no session can wake with
 
     def begin(self, room: Room) -> None:
         """Keep a session going in a room until it is closed: as its log says, or a new one."""
         room.offered = self._hub.settings.place(room.kept.scene) is not None
-        if not room.asleep:
+        if room.asleep:
+            self._hub.spawn(self._learn(room))
+        else:
             self._going.add(room.id)
             self._hub.spawn(self._keep_going(room))
-
-    async def sleep(self, room: Room) -> None:
-        """End the session of a room; it goes on from its log when the room is woken."""
-        room.rest = "asleep"
-        room.wake.set()
-        if room.process is not None:
-            room.process.stop()
-
-    def wake(self, room: Room) -> None:
-        """Let the session of a room go on that sleeps."""
-        if room.asleep:
-            room.rest = "waking"
-            if room.id not in self._going:  # else the one of before has not ended yet
-                self.begin(room)
 
     def stop(self) -> None:
         """Have no room wait for its supervisor any more: the server ends."""
@@ -104,9 +99,35 @@ class Sessions:
 
     def begin_anew(self, room: Room) -> None:
         """End the session of a room, of which the log says that another begins."""
+        self.wake(room)
         room.wake.set()
         if room.process is not None:
             room.process.stop()
+
+    async def prepare(self) -> None:
+        """Load what sessions need, so that the first that wakes need not wait for that."""
+        await self._nursery.prepare()
+
+    async def sleep(self, room: Room) -> None:
+        """End the process of a room in which nothing is under way; it wakes exactly as it was.
+
+        Raises:
+            NotObeyed: It cannot sleep now: why.
+        """
+        if room.rest == "asleep":
+            return
+        await fall_asleep(self._hub, room)
+        if room.woken:
+            self.wake(room)
+
+    def wake(self, room: Room) -> None:
+        """Have a room that is asleep go on; one that is awake is left alone."""
+        room.woken = True
+        if room.asleep:
+            room.rest = "waking"
+            room.show(NoSession(WAKING))
+            if room.id not in self._going:  # else what kept it going has not ended yet
+                self.begin(room)
 
     async def go_on(self, room: Room, member: Member, *, without_last: bool) -> None:
         """Try again with a session that has died too often.
@@ -153,8 +174,24 @@ class Sessions:
         if not room.offered:
             await self._wait(room, not_offered(room.kept.scene))
             return
-        process = await self._one(room, await self._before(room))
-        if wake.is_set() or hub.stopping or room.id not in hub.rooms:
+        sleeping = await self._asleep(room)
+        if sleeping is not None:
+            room.session = sleeping.session
+            if room.rest != "waking":
+                self._rest(room, sleeping)
+                return
+        if room.rest != "awake":
+            room.rest = "waking"
+        if sleeping is None or not sleeping.state or sleeping.state in self._unfit:
+            process = await self._one(room, await self._before(room))
+        else:
+            process = await self._one(room, None, sleeping)
+        if process.unfit and sleeping is not None:
+            self._unfit.add(sleeping.state)
+            _log.warning(UNFIT, room.id, process.unfit)
+            room.rest = "waking"
+            return
+        if wake.is_set() or process.slept or hub.stopping or room.id not in hub.rooms:
             deaths.forget()
             return
         last = await self._last(room)
@@ -171,6 +208,27 @@ class Sessions:
             room, died_too_often(process.failure, deaths.row, text, recorded=not unheard)
         )
         deaths.forget()
+
+    async def _asleep(self, room: Room) -> Sleeping | None:
+        """Return how a room fell asleep; None: it is awake."""
+        await self._hub.journal.settled()
+        try:
+            return await self._hub.database.do(lambda c: asleep(c, room.id))
+        except LogFault:  # as `_before` will say
+            return None
+
+    def _rest(self, room: Room, sleeping: Sleeping) -> None:
+        """Let a room sleep until somebody wakes it."""
+        room.rest, room.session = "asleep", sleeping.session
+        room.resting_in = str(self._folder / Path(sleeping.folder).name)
+        if room.woken:
+            self.wake(room)
+
+    async def _learn(self, room: Room) -> None:
+        """Learn how a room fell asleep before the server was started."""
+        sleeping = await self._asleep(room)
+        if sleeping is not None and room.asleep:
+            self._rest(room, sleeping)
 
     async def _wait(self, room: Room, waits: NoSession) -> None:
         """Wait for a room's supervisor."""
@@ -204,15 +262,27 @@ class Sessions:
         text = f"the session cannot go on, and begins again: {why}"
         await announce(self._hub, room, text)
 
-    async def _one(self, room: Room, before: Unfinished | None) -> SessionProcess:
-        """Run a session to its end, one that goes on where there was one before."""
+    async def _one(
+        self, room: Room, before: Unfinished | None, sleeping: Sleeping | None = None
+    ) -> SessionProcess:
+        """Run a session to its end, one that goes on where there was one before.
+
+        Args:
+            room: Whose.
+            before: What was done in it.
+            sleeping: How it fell asleep, where it wakes from its state.
+        """
         hub = self._hub
-        number = await hub.database.do(lambda connection: next_number(connection, "session"))
-        room.session = number % _NUMBERS + 1
+        if sleeping is None:
+            number = await hub.database.do(lambda connection: next_number(connection, "session"))
+            folder = self._folder / f"{room.id}-{number}"
+            slept = before is not None and before.slept
+            room.session = room.session if slept else number % _NUMBERS + 1
+        else:
+            folder = self._folder / Path(sleeping.folder).name
         room.pace = FULL_RATE
         place = hub.settings.place(room.kept.scene)
         assert place is not None
-        folder = self._folder / f"{room.id}-{number}"
         begun = False
 
         def on_pose(payload: bytes) -> None:
@@ -232,11 +302,14 @@ class Sessions:
             place.task,
             place.lab,
             history=hub.settings.history_quota,
+            slept=sleeping is not None,
+            asleep_sha256="" if sleeping is None else sleeping.state,
         )
         logged = await hub.database.do(lambda connection: store_log.size(connection, room.id))
         counts = await hub.database.do(lambda connection: store_log.counts(connection, room.id))
-        room.logged, room.log_full = logged if before is not None else 0, False
-        room.recorded = Counter(counts if before is not None else {})
+        goes_on = before is not None or sleeping is not None
+        room.logged, room.log_full = logged if goes_on else 0, False
+        room.recorded = Counter(counts if goes_on else {})
         if before is not None:
             start = await asyncio.to_thread(_with_before, start, folder / BEFORE, before)
         process = SessionProcess(start, on_pose, on_message, self._nursery)
@@ -249,7 +322,10 @@ class Sessions:
         finally:
             if not begun:
                 self._starting.release()
+            reached = room.reached
             self._lost(room)
+            if reached is not None:  # later than what the pulse has kept
+                await keep_soon(hub, lambda c: keep_reached(c, (reached,)))
         return process
 
     # --- what a session says ----------------------------------------------------------------------
@@ -274,9 +350,10 @@ class Sessions:
                     learn_bodies(room, message, whole=True)
                     room.show(State(room.session, room.scene_url, _RAW(message)))
             case "ready":
-                room.rest = "awake"
                 room.task = msgspec.json.decode(head.task, type=str) if head.task else ""
                 scene = hashlib.sha256(process.scene).hexdigest()
+                slept = process.start.slept
+                room.rest, room.resting_in, room.woken = "awake", "", False
                 if head.carried_s is None:
                     end_stopped(self._hub, room)
                     room.logged = 0
@@ -290,7 +367,7 @@ class Sessions:
                 else:
                     room.stop_lasts = room.stopped is not None
                     what = {"at_s": head.carried_s, "vrts": __version__}
-                    record(self._hub, room, "carry_on", None, what)
+                    record(self._hub, room, "wake" if slept else "carry_on", None, what)
                     if not room.notes:
                         self._hub.spawn(remember_notes(self._hub, room))
                 own = Path(process.start.folder)
@@ -299,6 +376,9 @@ class Sessions:
                     self._hub.spawn(self._say_anew(room, head.anew))
                 self._hub.rooms_changed(room)
                 process.first_snapshot = process.ask_snapshot()
+                if slept:
+                    room.show(NoSession())
+                self._give_held(room, process)
             case "failed" | "exported":
                 pass  # `SessionProcess.failure` has it; nobody asked for an export
             case _:
@@ -308,6 +388,14 @@ class Sessions:
                     learn_bodies(room, message, whole=False)
                 number = room.next_number()
                 room.tell(Happened(number, _RAW(message)), number)
+
+    def _give_held(self, room: Room, process: SessionProcess) -> None:
+        """Give the commands that came while the room was asleep, as their people gave them."""
+        held, room.held = room.held, []
+        for kind, member, of, action in held:
+            if member.id in room.members:
+                ref = process.act(f"p{member.account.id}", action)
+                room.ask(ref, kind, member, of, encode(action))
 
     def _of(self, room: Room, head: Head) -> int:
         asked = room.asked.get(head.ref)
@@ -375,23 +463,27 @@ class Sessions:
         """Tell that there is no session now, and those who wait for answers that none will come."""
         asked, room.asked = room.asked, {}
         room.halting = False
-        if (reached := room.reached) is not None:  # later than what the pulse has kept
-            self._hub.spawn(keep_soon(self._hub, lambda c: keep_reached(c, (reached,))))
-        room.status = room.frame = b""
-        room.placed.clear()
         room.blocks.forget()
+        process = room.process
+        sleeps = process is not None and (process.slept or process.unfit != "")
+        if not sleeps:
+            for held in room.held:
+                held.member.tell(Refused(held.of, "session", ENDED))
+            room.held.clear()
+            room.status = room.frame = b""
+            room.placed.clear()
         for one in asked.values():
             member = room.members.get(one.person)
             if member is not None:
-                refused = Refused(one.of, "session", "the session ended before it answered")
-                member.tell(refused)
+                member.tell(Refused(one.of, "session", ENDED))
             if one.action:
                 room.unheard = command_words(one.action)
                 text = encode({"action": _RAW(one.action), "result": None}).decode()
                 entry = stamped(room, one.kind, None, text, at_s=0.0, accepted=False)
                 log_soon(self._hub, entry._replace(account=one.account, name=one.name))
-        settle(self._hub, room, b"null")
-        room.show(State(room.session, "", _RAW(b"null")))
+        settle(self._hub, room, bytes(last_seen(room).state))
+        if not sleeps:
+            room.show(State(room.session, "", _RAW(b"null")))
 
 
 def _words(order: Act | Halt) -> str:
@@ -407,6 +499,7 @@ def _with_before(start: Start, file: Path, before: Unfinished) -> Start:
         before=str(file),
         until_s=before.until_s,
         exact=before.session.exact,
+        slept=before.slept,
         scene_sha256=before.session.scene_sha256,
         controller=before.session.controller,
         controller_sha256=before.session.controller_sha256,

@@ -36,6 +36,7 @@ LIMITS = Limits(
     time_s=30 * DAY, statements=2_000_000_000, motions=200_000, output_characters=50_000_000
 )
 MOST_WAITING = 16  # actions
+WAITING = "commands wait"  # until the next tick, as a rule
 LATE = 2.0  # [s] behind the clock beyond which that time is given up: the machine slept
 
 Send = Callable[[m.News | bytes], None]
@@ -55,7 +56,14 @@ class Session:
     """Everything about one session."""
 
     def __init__(
-        self, start: m.Start, setting: Setting, send: Send, clock: Clock, *, forgets: bool = True
+        self,
+        start: m.Start,
+        setting: Setting,
+        send: Send,
+        clock: Clock,
+        *,
+        forgets: bool = True,
+        past: Past | None = None,
     ) -> None:
         """Begin at time 0.
 
@@ -65,6 +73,7 @@ class Session:
             send: Takes messages and pose frames for the server.
             clock: Returns the time of a clock that only goes forward [s].
             forgets: Whether what is long past is forgotten.
+            past: What it has forgotten already, where it goes on; None: nothing.
         """
         self.start = start
         self.setting = setting
@@ -74,7 +83,8 @@ class Session:
         self._sequence = 0
         self._task = None if setting.task is None else task_view(setting.scene, setting.task)
         self._folders = Folders(Path(start.folder), start.quota)
-        self._past = Past(Path(start.folder), start.history) if forgets else None
+        own = Past(Path(start.folder), start.history) if forgets else None
+        self._past = own if past is None else past
         self._begin(())
 
     def _begin(self, memory: tuple[Command, ...]) -> None:
@@ -122,7 +132,7 @@ class Session:
                 self._send(self.showing.snapshot(order.ref))
             case m.AskProgram():
                 self._send(m.ProgramText(order.ref, order.name, self.program(order.name)))
-            case m.Start() | m.Stop() | m.Pace() | m.AskBlock() | m.AskState():
+            case m.Start() | m.Stop() | m.Pace() | m.AskBlock() | m.AskState() | m.Sleep():
                 pass  # the process sees to them
 
     def beat(self) -> None:
@@ -131,8 +141,7 @@ class Session:
         if now_s - self.growing.time_s > LATE:
             self._lose(now_s - self.growing.time_s)
             now_s = self.growing.time_s
-        self._work(now_s)
-        self._advance(max(now_s, self.growing.time_s))
+        self._advance(max(self._work(now_s), self.growing.time_s))
         self._send(self.showing.frame(self._sequence))
         self._sequence += 1
         for news in self.showing.news():
@@ -167,6 +176,27 @@ class Session:
         self.showing.hear()
         self.showing.tell_again()
         self.epoch_s = self._clock() - self.growing.time_s
+
+    def go_on_from_here(self) -> None:
+        """Let the clock go on from here; it stood still for long."""
+        self.showing.tell_again()
+        self.epoch_s = self._clock() - self.growing.time_s
+
+    @property
+    def under_way(self) -> str:
+        """What keeps it from falling asleep, in words; empty: nothing."""
+        growing = self.growing
+        if self._waiting or growing.waits:
+            return WAITING
+        if growing.executing or growing.machine.process.running:
+            return "a program is running"
+        still = self.at_rest and not self._key.active
+        return "" if still else "the arm moves"
+
+    @property
+    def past(self) -> Past | None:
+        """What it has forgotten; None: it forgets nothing."""
+        return self._past
 
     @property
     def at_rest(self) -> bool:
@@ -216,15 +246,19 @@ class Session:
             at_s = self.growing.time_s
             self._send(m.Done(gone.ref, at_s, False, text, code="stopped", counts=False))
 
-    def _work(self, now_s: float) -> None:
-        """Carry out what waits, as far as it can be done by now."""
+    def _work(self, now_s: float) -> float:
+        """Carry out what waits, as far as it can be done by now; return what now is then [s]."""
         while self._waiting and self._waiting[0].stamp_s <= now_s:
             first = self._waiting[0]
             self._advance(self._time_of(first.stamp_s, now_s))
             if not self._its_turn(first.action):
-                return
+                break
             self._waiting.popleft()
+            epoch_s = self.epoch_s
             self._carry_out(first)
+            if self.epoch_s != epoch_s:  # session time has jumped, back as a rule
+                now_s = self.growing.time_s
+        return now_s
 
     def _its_turn(self, action: do.Action) -> bool:
         """Return whether nothing given before is still in the way of an action."""
@@ -287,6 +321,8 @@ class Session:
             text = f"only times from {self.growing.reaches_s:.0f} to {at_s:.0f} s are known"
             return m.Done(ref, at_s, False, text, code="time")
         self._key.drop()
+        for number, waiting in enumerate(self._waiting):  # given before the jump: now, then
+            self._waiting[number] = waiting._replace(stamp_s=min(waiting.stamp_s, time_s))
         self.showing.jumped()
         self.epoch_s = self._clock() - self.growing.time_s
         self._jumped()

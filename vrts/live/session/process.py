@@ -14,6 +14,7 @@ from pathlib import Path
 from vrts.controllers.values import digest
 from vrts.live.session.again.carrying_on import (
     CannotCarryOn,
+    How,
     Interrupted,
     Voice,
     carry_on,
@@ -29,9 +30,11 @@ from vrts.live.session.channel.messages import (
     Json,
     Pace,
     Ready,
+    Sleep,
     Start,
     Stop,
 )
+from vrts.live.session.channel.messages import Unfit as UnfitState
 from vrts.live.session.channel.outbox import Outbox, ServerGone
 from vrts.live.session.growing.folder import empty
 from vrts.live.session.growing.tidying import Tidying
@@ -40,6 +43,8 @@ from vrts.live.session.live_session import Session
 from vrts.live.session.looking.looker import Looker
 from vrts.live.session.marks.checker import Checker
 from vrts.live.session.setting import scene_sha256
+from vrts.live.session.sleeping.falling import Falling
+from vrts.live.session.sleeping.state import Unfit, woken
 from vrts.live.session.ways.ways import Ways
 from vrts.marking.supervise.limits import Limits, impose
 from vrts.pipeline.files import CannotRead
@@ -97,9 +102,15 @@ def _serve(inbox: Inbox, outbox: Outbox, readable: int, clock: Clock, known: Kno
         session, anew = _begun(start, setting, scene, outbox, readable, clock)
     except Interrupted:
         return 0
+    except Unfit as problem:
+        outbox.send(UnfitState(str(problem)))
+        outbox.flush()
+        return 0
     title = setting.task.title if setting.task is not None else ""
     arm = setting.scene.robot.arm.name
     carried_s = session.growing.time_s if start.before and not anew else None
+    if start.asleep_sha256:
+        carried_s = session.growing.time_s
     model = setting.scene.controller
     said = (model.name, digest(model))
     outbox.send(Ready(start.session, session.epoch_s, arm, scene, title, carried_s, anew, *said))
@@ -109,7 +120,7 @@ def _serve(inbox: Inbox, outbox: Outbox, readable: int, clock: Clock, known: Kno
         closing(Looker(session, outbox.send)) as looker,
         closing(Ways(session, outbox.send, clock)) as ways,
     ):
-        beats = Beats(clock())
+        beats, falling = Beats(clock()), Falling(session, checker, scene)
         while not inbox.ended:
             for order in orders:
                 if isinstance(order, Stop):
@@ -119,6 +130,10 @@ def _serve(inbox: Inbox, outbox: Outbox, readable: int, clock: Clock, known: Kno
                     beats.period_s = 1.0 / order.rate
                 if isinstance(order, AskBlock | AskState):
                     looker.ask(order)
+                    beats.bring_forward(clock())
+                if isinstance(order, Sleep):
+                    beats.bring_forward(clock())
+                falling.hear(order)
                 if isinstance(order, AskReach):
                     ways.ask(order)
                 else:
@@ -131,7 +146,10 @@ def _serve(inbox: Inbox, outbox: Outbox, readable: int, clock: Clock, known: Kno
                 checker.beat()
                 looker.beat()
                 tidying.beat(session.growing.time_s)
-                beats.kept(clock())
+                if (slept := falling.beat()) is not None:
+                    outbox.send(slept)
+                busy = session.under_way or looker.busy or falling.busy or checker.aside.busy
+                beats.kept(clock(), at_rest=not busy)
             ways.beat()
             outbox.flush()
             writable = [outbox] if outbox.waits else []
@@ -154,6 +172,8 @@ def _begun(
         return not select.select([readable], [], [], 0.0)[0]
 
     anew = ""
+    if start.asleep_sha256:
+        return woken(start, setting, outbox.send, clock), ""
     if start.before:
         voice = Voice()
         session = Session(start, setting, voice, clock)
@@ -163,7 +183,8 @@ def _begun(
                 raise CannotCarryOn("its scene or task is another one now")
             if start.controller_sha256 not in ("", digest(setting.scene.controller)):
                 raise CannotCarryOn("its controller model is another one now")
-            carry_on(session, voice, entries, start.until_s, exact=start.exact, wanted=wanted)
+            how = How.SLEPT if start.slept else How.EXACT if start.exact else How.STOPPED
+            carry_on(session, voice, entries, start.until_s, how=how, wanted=wanted)
         except CannotCarryOn as problem:
             anew = str(problem)
             empty(Path(start.folder))

@@ -1,5 +1,6 @@
 """How far sessions have come, and what was done in the last one of a room: to carry it on."""
 
+import json
 import sqlite3
 from collections.abc import Iterable
 from typing import NamedTuple
@@ -21,6 +22,39 @@ class Kept(NamedTuple):
     kind: str
     account: int | None  # None: the server itself, or purged
     text: str | None  # None: purged
+
+
+class Slept(NamedTuple):
+    """The record of the log that a room fell asleep."""
+
+    seq: int
+    session: int
+    content: bytes  # digest of the text
+    salt: bytes
+    text: str | None  # None: purged
+
+
+def last_sleep(connection: sqlite3.Connection, room: str, beside: Iterable[str]) -> Slept | None:
+    """Return when a room fell asleep, if nothing was done in it since; None: it is awake.
+
+    Args:
+        connection: Of the database.
+        room: The room's id.
+        beside: Kinds of records that nothing was done by.
+    """
+    last = connection.execute(
+        "SELECT seq, kind FROM log WHERE room=?"
+        " AND kind NOT IN (SELECT value FROM json_each(?)) ORDER BY seq DESC LIMIT 1",
+        (room, json.dumps(sorted(beside))),
+    ).fetchone()
+    if last is None or last[1] != "sleep":
+        return None
+    row = connection.execute(
+        "SELECT seq, session, content, salt, text FROM log LEFT JOIN log_text USING (room, seq)"
+        " WHERE room=? AND seq=?",
+        (room, last[0]),
+    ).fetchone()
+    return Slept._make(row)
 
 
 def keep_reached(connection: sqlite3.Connection, reached: Iterable[Reached]) -> None:

@@ -33,7 +33,10 @@ export class Motion {
     const last = this.frames.at(-1);
     if (last && (frame.session !== last.session || Math.abs(frame.time - last.time) > JUMP)) this.clear();
     else if (last && frame.time <= last.time) return;
-    else if (last) this.period += 0.1 * (frame.time - last.time - this.period);
+    else if (last) {
+      const gap = frame.time - last.time; // at rest frames are seldom; from one beat to the next they are not
+      this.period = gap < this.period / 2 ? gap : this.period + 0.1 * (gap - this.period);
+    }
     const offset = now - frame.time;
     this.offset = Math.min(offset, this.offset + DRIFT * Math.max(now - this.heard, 0));
     this.jitter += 0.05 * (offset - this.offset - this.jitter);

@@ -418,3 +418,14 @@ def test_panic_stops_as_soon_at_a_low_monitor_speed(driven: Driven) -> None:
     stopped = driven.frames[-1].joints
     driven.run(2.0)
     assert driven.frames[-1].joints == stopped
+
+
+def test_a_rewind_that_waited_leads_to_its_moment(tmp_path: Path) -> None:
+    driven = Driven(tmp_path)
+    driven.run(5.0)
+    driven.act(do.Step("joint", 0, 1, 0.1))
+    driven.act(do.Rewind(2.0))  # its turn comes at the next tick
+    line = driven.act(do.Typed("DO a = 1"))
+    driven.run(0.1)
+    assert driven.session.growing.time_s == pytest.approx(2.1, abs=0.05)
+    assert driven.done(line).at_s == pytest.approx(2.0, abs=0.05)

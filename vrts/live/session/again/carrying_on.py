@@ -6,6 +6,7 @@ it stood, or is not carried on.
 
 import time
 from collections.abc import Callable, Iterable
+from enum import Enum
 from pathlib import Path
 
 import msgspec
@@ -22,6 +23,14 @@ STOPPED_HERE = "the room goes on from here: arm and programs were stopped"
 STOPPED = "the session was started again: arm and programs were stopped, and it goes on"
 
 _entry = msgspec.json.Decoder(Entry)
+
+
+class How(Enum):
+    """How a session goes on that was repeated."""
+
+    STOPPED = "stopped"  # its process or server has ended: everything stands still
+    EXACT = "exact"  # just where another session stood, stopped
+    SLEPT = "slept"  # just where it fell asleep, as if nothing had been
 
 
 class CannotCarryOn(Exception):  # noqa: N818 -- names the situation
@@ -68,7 +77,7 @@ def carry_on(
     entries: Iterable[Entry],
     until_s: float,
     *,
-    exact: bool = False,
+    how: How = How.STOPPED,
     wanted: Callable[[], bool] = lambda: True,
 ) -> None:
     """Do again what was done before, go on to a time, and stop everything there.
@@ -79,7 +88,7 @@ def carry_on(
         entries: What was done, with what was answered.
         until_s: How far it had come [s]; commands may have come later. What was
             acknowledged takes effect before it is stopped.
-        exact: Whether it is to stop just there, as where another session stood.
+        how: How it goes on from there.
         wanted: Asked now and then whether anybody still waits for it.
 
     Raises:
@@ -111,7 +120,10 @@ def carry_on(
             session.repeat(entry.order, entry.at_s)
             if not same_answer(entry.done, voice.done):
                 raise CannotCarryOn("the same commands have other results now")
-        go_on(max(until_s, session.growing.time_s + (0.0 if exact else EFFECT)))
+        go_on(max(until_s, session.growing.time_s + (EFFECT if how is How.STOPPED else 0.0)))
     except ValueError as problem:  # an order before the one that came earlier
         raise CannotCarryOn(f"its log does not fit: {problem}") from problem
-    session.stand_still(STOPPED_HERE if exact else STOPPED)
+    if how is How.SLEPT:
+        session.go_on_from_here()
+    else:
+        session.stand_still(STOPPED_HERE if how is How.EXACT else STOPPED)

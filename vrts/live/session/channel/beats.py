@@ -1,10 +1,15 @@
-"""When a session beats: 50 times a second or as told, once sooner when a command is to show."""
+"""When a session beats: 50 times a second or as told, once sooner when a command is to show.
+
+Where nothing is under way it beats less often: what shows of it is the clock, which pages let go on
+between two frames; a command is heard at once all the same.
+"""
 
 import math
 
 from vrts.live.actions import Keep
 from vrts.live.session.channel.messages import BEAT, Act, Halt, ToSession
 
+AT_REST = 0.2  # [s] between beats while nothing is under way
 AFTER_TICK = 0.004  # [s] after a tick the first motion of an arm that stood still can be seen
 
 
@@ -26,12 +31,18 @@ class Beats:
         """Have a beat at a time [s], however soon that is; the later ones follow from there."""
         self._early_s = min(self._early_s, at_s)
 
-    def kept(self, now_s: float) -> None:
-        """Take note that the beat that was due is over at a time [s]."""
+    def kept(self, now_s: float, *, at_rest: bool = False) -> None:
+        """Take note that the beat that was due is over at a time [s].
+
+        Args:
+            now_s: When.
+            at_rest: Whether nothing is under way, and nobody waits for the next beat.
+        """
         due_s = self.due_s
         if due_s >= self._early_s:
             self._early_s = math.inf
-        self._regular_s = max(due_s + self.period_s, now_s)
+        period_s = max(self.period_s, AT_REST) if at_rest else self.period_s
+        self._regular_s = max(due_s + period_s, now_s)
 
 
 def shows(order: ToSession) -> bool:

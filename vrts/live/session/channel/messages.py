@@ -53,6 +53,8 @@ class Start(Order, frozen=True, tag="start"):
     before: str = ""  # file of what was done before the server ended; the session removes it
     until_s: Stamp = 0.0  # how far the session had come then
     exact: bool = False  # it stops just there, where another session stood
+    slept: bool = False  # the room was asleep: it goes on just there, and nothing is stopped
+    asleep_sha256: str = ""  # of the state in its folder with which it wakes; empty: there is none
     scene_sha256: str = ""  # of `Ready.scene` then; with another scene it begins anew
     controller: str = ""  # model that it went by then; empty: the setting's own
     controller_sha256: str = ""  # of what that model said; empty: not asked for
@@ -110,6 +112,12 @@ class AskState(Order, frozen=True, tag="ask_state"):
     ref: Ref
 
 
+class Sleep(Order, frozen=True, tag="sleep"):
+    """Get ready to end with everything kept, if nothing is under way; answered by `Slept`."""
+
+    ref: Ref
+
+
 class Pace(Order, frozen=True, tag="pace"):
     """How many pose frames to make a second."""
 
@@ -121,7 +129,17 @@ class Stop(Order, frozen=True, tag="stop"):
 
 
 ToSession = (
-    Start | Act | Halt | AskReach | AskSnapshot | AskProgram | AskBlock | AskState | Pace | Stop
+    Start
+    | Act
+    | Halt
+    | AskReach
+    | AskSnapshot
+    | AskProgram
+    | AskBlock
+    | AskState
+    | Sleep
+    | Pace
+    | Stop
 )
 
 # --- from the session -----------------------------------------------------------------------------
@@ -213,6 +231,21 @@ class Left(News, frozen=True, tag="left"):
     ref: int
     data: str = ""  # in base64
     why: str = ""
+
+
+class Slept(News, frozen=True, tag="slept"):
+    """The session may end; it goes on if a command comes first."""
+
+    ref: int
+    at_s: float = 0.0  # session time at which it wakes
+    sha256: str = ""  # of the state in its folder; empty: it wakes from its log
+    text: str = ""  # why it cannot sleep; empty: it can
+
+
+class Unfit(News, frozen=True, tag="unfit"):
+    """The state in its folder is none that it can wake with; it is over."""
+
+    text: str
 
 
 class Placed(msgspec.Struct, frozen=True):
@@ -368,6 +401,8 @@ FromSession = (
     | ProgramText
     | Looked
     | Left
+    | Slept
+    | Unfit
     | Moved
     | Happened
     | Output

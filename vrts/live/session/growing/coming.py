@@ -4,6 +4,7 @@ from bisect import insort
 from collections.abc import Sequence
 
 from vrts.engine.memory.events import Event, ProgramEnded, ProgramStarted
+from vrts.live.session.growing.away import Heard
 
 
 class Coming:
@@ -36,6 +37,16 @@ class Coming:
         ]
         del self._waiting[:ripe]
         return found
+
+    @property
+    def heard(self) -> Heard:
+        """All that is known, for a session that goes on in another process."""
+        return Heard(self._seen, self._begun, tuple(self._waiting))
+
+    def go_on(self, heard: Heard) -> None:
+        """Know what another one has known."""
+        self._seen, self._begun = heard.seen, heard.begun
+        self._waiting = list(heard.waiting)
 
     def forget(self, count: int) -> None:
         """Take note that the machine has forgotten its first events."""

@@ -18,6 +18,7 @@ from vrts.engine.memory.events import Event
 from vrts.engine.run import Run
 from vrts.ir.commands import Command, Panic, TimedCommand
 from vrts.ir.module import Module
+from vrts.live.session.growing.away import Away
 from vrts.live.session.growing.coming import Coming
 from vrts.live.session.growing.deeds import Deeds, moving, telling
 from vrts.live.session.growing.past import Past
@@ -53,7 +54,7 @@ class GrowingRun:
         self.time_s = 0.0
         self.said: list[str] = [] if past is None else past.said  # what users should know
         if past is not None:
-            past.clear()
+            past.begin()
         self.known_from_s = 0.0  # what was before is in the file, or forgotten
         self._past = past
         self._handed_on = 0  # commands of the machine that are in the file
@@ -274,14 +275,17 @@ class GrowingRun:
         if self._crowded:
             before = max(before, 0.5 * (self.known_from_s + self.time_s))
         before = max(before, 0.0)
-        events = len(self.machine.system.events)
         at = max(bisect_right(self._kept, before, key=lambda entry: entry[0]) - 1, 0)
         if self._crowded and self._kept[-1][0] > self.known_from_s:
             at = max(at, 1)
-        known_from_s, first = self._kept[at]
-        if known_from_s <= self.known_from_s:
+        if self._kept[at][0] <= self.known_from_s:
             return
         self._crowd = self._crowd or self._crowded
+        self._let_go(at)
+
+    def _let_go(self, at: int) -> None:
+        """Put into the file, or forget, what was before one of the states that are kept."""
+        events, (known_from_s, first) = len(self.machine.system.events), self._kept[at]
         run, issued = self.run, self.machine.issued
         for time_s, machine in self._kept[:at]:
             if self._past is not None and time_s % SPARSE == 0.0:
@@ -296,6 +300,26 @@ class GrowingRun:
         self._forgotten = first.finished
         self._coming.forget(events - len(self.machine.system.events))
         self._uncrowded = max(MOST_EVENTS, 2 * len(self.machine.system.events))
+
+    def put_away(self) -> Away | None:
+        """Put all that is past into the file, and return what is now; None: there is no file."""
+        if self._past is None or not self._past.works:
+            return None
+        if self._kept[-1][0] < self.time_s:
+            self._kept.append((self.time_s, self.machine.copy()))
+        if self.known_from_s < self.time_s:
+            self._let_go(len(self._kept) - 1)
+        told = (self._handed_on, self._done, self._crowd, self._forgotten, self._uncrowded)
+        return Away(self.time_s, self.machine.copy(), *told, self._coming.heard)
+
+    def take_back(self, away: Away) -> None:
+        """Be what another one was that was put away; its file is this one's."""
+        self.time_s = self.known_from_s = away.time_s
+        self.machine = away.machine
+        self._kept = [(away.time_s, away.machine.copy())]
+        self._handed_on, self._done, self._crowd, self._forgotten, self._uncrowded = away[2:7]
+        self._coming.go_on(away.heard)
+        self._run = None
 
     def _hand_on(self, run: Run, time_s: float, machine: Machine) -> None:
         """Put a state into the file, with what was done before it."""

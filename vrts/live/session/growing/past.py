@@ -15,7 +15,7 @@ oldest states go, with all that was done before the next one.
 
 import os
 import zlib
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from pathlib import Path
 from typing import Any, Final, NamedTuple
@@ -42,7 +42,7 @@ PURGED = "somebody who took part in it was purged"
 STATE, COMMANDS, DEEDS = "state", "commands", "deeds"
 
 
-class _Record(NamedTuple):
+class Record(NamedTuple):
     """Where a record is in the file."""
 
     kind: str
@@ -65,9 +65,35 @@ class Past:
         self.path = folder / FILE
         self.said: list[str] = []  # what users should know
         self._quota = quota
-        self._records: list[_Record] = []
+        self._records: list[Record] = []
         self._given: dict[str, object] = {}
         self._works = True
+        self._stays = False  # what is in the file is of the session that begins
+
+    @property
+    def works(self) -> bool:
+        """Whether all is kept that was to be kept."""
+        return self._works
+
+    @property
+    def records(self) -> tuple[Record, ...]:
+        """What is in the file, for a session that goes on with it in another process."""
+        return tuple(self._records)
+
+    def go_on_with(self, records: Iterable[Record]) -> None:
+        """Take over the file of a session that goes on, before it begins here."""
+        self._records = list(records)
+        self._stays = True
+
+    def know(self, given: dict[str, object]) -> None:
+        """Know what every state of the session shares, where none is written first."""
+        self._given = given
+
+    def begin(self) -> None:
+        """Forget everything, unless what is kept is of the session that begins."""
+        if not self._stays:
+            self.clear()
+        self._stays = False
 
     @property
     def known_from_s(self) -> float | None:
@@ -128,7 +154,7 @@ class Past:
                 self._drop_oldest(len(data))
             room = self.size + len(data) <= self._quota
             if room and (self._records or kind == STATE):  # without a state nothing is of use
-                self._write(_Record(kind, time_s, self.size, len(data), count), data)
+                self._write(Record(kind, time_s, self.size, len(data), count), data)
             if full and self._records:
                 self.said.append(LOST.format(self._records[0].time_s, FULL))
             elif full:
@@ -136,7 +162,7 @@ class Past:
         except OSError as problem:
             self._give_up(problem.strerror or "it cannot be written")
 
-    def _write(self, record: _Record, data: bytes) -> None:
+    def _write(self, record: Record, data: bytes) -> None:
         """Add a record to the file."""
         if not self._records:
             os.close(os.open(self.path, os.O_CREAT | os.O_TRUNC | os.O_WRONLY, 0o600))
@@ -220,7 +246,7 @@ class Past:
             if record.kind == kind:
                 yield self._read(record)
 
-    def _read(self, record: _Record) -> Any:
+    def _read(self, record: Record) -> Any:
         try:
             with self.path.open("rb") as file:
                 file.seek(record.at)

@@ -41,6 +41,11 @@ class Looker:
         """End with the session."""
         self._aside.close()
 
+    @property
+    def busy(self) -> bool:
+        """Whether somebody waits for an answer."""
+        return self._aside.busy or bool(self._waiting)
+
     def ask(self, order: AskBlock | AskState) -> None:
         """Take a question."""
         if isinstance(order, AskState):

@@ -83,6 +83,13 @@ class Checker:
         """End with the session."""
         self.aside.close()
 
+    @property
+    def settled(self) -> bool:
+        """Whether all that was done is checked and judged."""
+        session = self._session
+        moved = _anything_moved(session.growing, session.showing.checked_s)
+        return not (self.aside.busy or moved or self._mark.stale)
+
     def beat(self) -> None:
         """Take the answer that has come, and ask for what is new, if it is time."""
         self._take()

@@ -73,6 +73,12 @@ class PublicMark:
         rests = not 0.0 <= growing.time_s - self._asked_s < self._pause
         return rests and self._now != self._key
 
+    @property
+    def stale(self) -> bool:
+        """Whether the mark that is shown is not of now."""
+        known = self._session.setting.task is None or not self._session.growing.knows_all
+        return not known and self._now != self._key
+
     def asked(self) -> None:
         """Take note that it is judged as it is now."""
         self._key, self._asked_s = self._now, self._session.growing.time_s

@@ -5,6 +5,7 @@ and what the terminal shows of it comes with the news of that tick.
 """
 
 from collections.abc import Mapping, Sequence
+from typing import NamedTuple
 
 from vrts.base.source import SourceFile
 from vrts.engine.controller import advance
@@ -19,7 +20,20 @@ from vrts.monitor import words
 from vrts.monitor.desk import ALONE, Desk, Situation, Turn
 from vrts.monitor.folder import CannotUse
 from vrts.monitor.monitor import Monitor
-from vrts.monitor.teller import Teller
+from vrts.monitor.programs import StoredProgram
+from vrts.monitor.teller import Standing, Teller
+
+
+class Talked(NamedTuple):
+    """All that a conversation knows between two commands, as plain values of the engine."""
+
+    asks: bool
+    owner: str
+    robot: ProgramState | None
+    killed: bool
+    standing: tuple[object, ...]  # of the teller
+    programs: tuple[tuple[object, ...], ...]  # in memory, in order
+    last: tuple[object, ...]  # what was executed, edited and done last
 
 
 class Conversation:
@@ -36,6 +50,28 @@ class Conversation:
         self._teller = Teller()
         self._robot: ProgramState | None = None  # that was last, DO aside
         self._killed = False
+
+    def put_away(self) -> Talked | None:
+        """Return all that is known; None: the monitor is in the middle of something."""
+        if not self.monitor.at_commands:
+            return None
+        desk = self.monitor.desk
+        last = (desk.last_executed, desk.last_process, desk.last_edited, desk.last_do)
+        programs = tuple(map(tuple, desk.programs.values()))
+        standing = tuple(self._teller.standing)
+        return Talked(self.asks, self._owner, self._robot, self._killed, standing, programs, last)
+
+    def take_back(self, talked: Talked) -> None:
+        """Know what another one has known."""
+        desk = self.monitor.desk
+        self.asks, self._owner, self._robot, self._killed = talked[:4]
+        self._teller.stand(Standing(*talked.standing))  # type: ignore[arg-type]
+        for fields in talked.programs:
+            program = StoredProgram(*fields)  # type: ignore[arg-type]
+            desk.programs[program.name] = program
+        desk.last_executed, desk.last_process, desk.last_edited, desk.last_do = talked.last  # type: ignore[assignment]
+        if self._owner:
+            desk.folder = self._folders.of(self._owner)
 
     @property
     def prompt(self) -> str:

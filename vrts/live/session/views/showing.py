@@ -2,6 +2,8 @@
 
 from collections import deque
 
+from msgspec import Struct
+
 from vrts.check.rules.scheme import TOTAL
 from vrts.engine.memory.events import Answered, Event, ProgramEnded, ProgramStarted, Prompted
 from vrts.ir.entry import entry_among
@@ -42,6 +44,20 @@ OUTPUT_KEPT = 20_000  # characters
 CONTACTS_KEPT = 250  # rows of contacts, and of near misses: so many first ones, and last ones
 
 
+class Shown(Struct, frozen=True):
+    """What was told, as far as it is not told again by what there is now."""
+
+    events: tuple[Happened, ...]
+    output: str
+    alone: bool
+    prompt: str | None
+    contacts: tuple[Json, ...]
+    near: tuple[Json, ...]
+    forgotten: int
+    checked_s: float
+    marked: Marked | None
+
+
 class Showing:
     """Hears what happens and tells it once."""
 
@@ -72,6 +88,33 @@ class Showing:
         self.marked: Marked | None = None
         self.task: Json | None = None  # what is shown of it
         self.total = float(TOTAL)
+
+    def put_away(self) -> Shown:
+        """Return what was told, for one that goes on elsewhere."""
+        return Shown(
+            tuple(self._events),
+            self._output,
+            self._alone,
+            self._prompt,
+            tuple(self.contacts),
+            tuple(self.near),
+            self.forgotten,
+            self.checked_s,
+            self.marked,
+        )
+
+    def take_back(self, shown: Shown) -> None:
+        """Have told what another one has told."""
+        self._placements = Placements(self._growing)
+        self._events.extend(shown.events)
+        self._output, self._alone, self._prompt = shown.output, shown.alone, shown.prompt
+        self.contacts[:], self.near[:] = shown.contacts, shown.near
+        self.forgotten, self.checked_s, self.marked = (
+            shown.forgotten,
+            shown.checked_s,
+            shown.marked,
+        )
+        self._programs = tuple(self._conversation.monitor.desk.programs.values())
 
     # --- what happens -------------------------------------------------------------------------
 

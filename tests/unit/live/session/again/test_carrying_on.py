@@ -12,6 +12,7 @@ from vrts.live import actions as do
 from vrts.live.session.again.carrying_on import (
     STOPPED,
     CannotCarryOn,
+    How,
     Interrupted,
     Voice,
     carry_on,
@@ -34,14 +35,14 @@ def carried(
     entries: Sequence[Entry],
     until_s: float,
     *,
-    exact: bool = False,
+    how: How = How.STOPPED,
 ) -> Session:
     """Carry the session on in another folder; time goes on from 5000 s of another clock."""
     voice = Voice()
     start = msgspec.structs.replace(driven.start, folder=str(folder))
     folder.mkdir()
     session = Session(start, driven.session.setting, voice, lambda: 5000.0)
-    carry_on(session, voice, entries, until_s, exact=exact)
+    carry_on(session, voice, entries, until_s, how=how)
     return session
 
 
