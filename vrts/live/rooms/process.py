@@ -171,6 +171,8 @@ class SessionProcess:
         """Have it get ready to end with everything kept; return what it answers."""
         self._ref += 1
         ref, coming = self._ref, asyncio.get_running_loop().create_future()
+        if self._process is None:
+            return Head("slept", text=ENDED)
         self._sleeps[ref] = coming
         self._send(Sleep(ref))
         try:

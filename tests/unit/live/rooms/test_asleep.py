@@ -201,8 +201,8 @@ def test_a_room_sleeps_without_a_process_and_wakes_as_it_was(
             assert (status, scene[:1]) == (200, b"{")
             assert live.room.rest == "asleep", "who looks wakes nobody"
             number = live.command("line", line="LISTR turns")
-            assert (await live.boss.wait("no_session"))["why"] == WAKING
-            assert (await live.boss.wait("no_session"))["why"] == ""
+            await live.boss.wait("no_session", why=WAKING)
+            await live.boss.wait("no_session", why="")
             assert "7" in (await live.boss.wait("result", of=number))["result"]["text"]
             assert live.room.session == snapshot["session"]
             await live.done("line", line="DO turns = 8")

@@ -16,7 +16,7 @@ from vrts.live.rooms.own import sleeping
 from vrts.live.rooms.own.limits import OwnLimits
 from vrts.live.rooms.own.making import Making, Wanted
 from vrts.live.rooms.own.sleeping import Sleeper, at_rest
-from vrts.live.rooms.process import SessionProcess
+from vrts.live.rooms.process import Head, SessionProcess
 from vrts.live.rooms.room import Room
 from vrts.live.rooms.sessions import Sessions
 from vrts.live.session.channel.messages import Start
@@ -28,9 +28,17 @@ from vrts.live.store.rooms import KeptRoom
 LIMITS = OwnLimits(each=2, all=4, awake=2, each_awake=1)
 
 
+class AtRest(SessionProcess):
+    """A session that may sleep whenever it is asked; there is no process."""
+
+    async def sleep(self) -> Head:
+        """Say so."""
+        return Head("slept")
+
+
 def ready(room: Room, mode: str) -> None:
     """Have the session of a room be one that does something; nothing is started."""
-    process = SessionProcess(Start(1, "", "", "", ""), lambda _: None, lambda _, __: None)
+    process = AtRest(Start(1, "", "", "", ""), lambda _: None, lambda _, __: None)
     process.ready = True
     room.process, room.rest = process, "awake"
     room.status = f'{{"mode":"{mode}"}}'.encode()
