@@ -25,10 +25,13 @@ class Operator(NamedTuple):
 class Stage:
     """A server, its rooms and operators."""
 
-    def __init__(self, folder: Path, rooms: int = 1, *, moving: bool = True) -> None:
+    def __init__(
+        self, folder: Path, rooms: int = 1, *, moving: bool = True, module: str = "vrts.cli.main"
+    ) -> None:
         names = folder / "rooms.txt"
         names.write_text("".join(f"Room {n + 1}\n" for n in range(rooms)))
-        self.server = LiveServer(folder / "live", "--rooms", str(names), measured=True)
+        kind = type("Server", (LiveServer,), {"module": module})
+        self.server = kind(folder / "live", "--rooms", str(names), measured=True)
         self.process = psutil.Process(self.server.process.pid)
         self._offset = clock_offset()
         self.operators: list[Operator] = []

@@ -98,6 +98,7 @@ class SessionProcess:
         self.failure = ""  # why it ended
         self._ready_at = 0.0
         self._stopped = False  # it was asked to end, begun or not
+        self.seldom = False  # fewer frames will do at rest
         self.slept = False  # it ends because its room sleeps
         self.unfit = ""  # why the state in its folder is none to wake with
         self._sleeps: dict[int, asyncio.Future[Head]] = {}  # by reference of the order
@@ -180,9 +181,10 @@ class SessionProcess:
         finally:
             self._sleeps.pop(ref, None)
 
-    def set_pace(self, rate: int) -> None:
-        """Have so many pose frames made a second."""
-        self._send(Pace(rate))
+    def set_pace(self, rate: int, *, seldom: bool = False) -> None:
+        """Have so many pose frames made a second; fewer will do at rest where `seldom` is set."""
+        self.seldom = seldom
+        self._send(Pace(rate, seldom))
 
     def ask_snapshot(self) -> int:
         """Ask for everything that is now."""

@@ -188,13 +188,19 @@ class Room:
         for member in self.members.values():
             member.pose(frame, now, self.pace)
 
+    @property
+    def seldom(self) -> bool:
+        """Whether fewer frames will do at rest: in robots of their own, and where nobody is."""
+        return self.own is not None or not any(m.door for m in self.members.values())
+
     def set_pace(self) -> None:
         """Have as many pose frames made as the fastest wants."""
         wanted = (m.rate for m in self.members.values() if m.door is not None)
         pace = max(FULL_RATE, *wanted, 0)
-        if pace != self.pace and self.process is not None and self.process.ready:
+        seldom, process = self.seldom, self.process
+        if process is not None and process.ready and (pace, seldom) != (self.pace, process.seldom):
             self.pace = pace
-            self.process.set_pace(pace)
+            process.set_pace(pace, seldom=seldom)
 
     def forget(self, name: str) -> None:
         """Forget what somebody said who was purged."""

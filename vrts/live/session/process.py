@@ -127,7 +127,7 @@ def _serve(inbox: Inbox, outbox: Outbox, readable: int, clock: Clock, known: Kno
                     outbox.flush()
                     return 0
                 if isinstance(order, Pace):
-                    beats.period_s = 1.0 / order.rate
+                    beats.period_s, beats.seldom = 1.0 / order.rate, order.seldom
                 if isinstance(order, AskBlock | AskState):
                     looker.ask(order)
                     beats.bring_forward(clock())

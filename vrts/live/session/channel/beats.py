@@ -1,7 +1,7 @@
 """When a session beats: 50 times a second or as told, once sooner when a command is to show.
 
-Where nothing is under way it beats less often: what shows of it is the clock, which pages let go on
-between two frames; a command is heard at once all the same.
+Where nothing is under way it beats less often if it may: what shows of it is the clock, which
+pages let go on between two frames; a command is heard at once all the same.
 """
 
 import math
@@ -19,6 +19,7 @@ class Beats:
     def __init__(self, now_s: float) -> None:
         """Have the first one due now [s]."""
         self.period_s = BEAT
+        self.seldom = False  # fewer will do while nothing is under way
         self._regular_s = now_s
         self._early_s = math.inf
 
@@ -41,7 +42,7 @@ class Beats:
         due_s = self.due_s
         if due_s >= self._early_s:
             self._early_s = math.inf
-        period_s = max(self.period_s, AT_REST) if at_rest else self.period_s
+        period_s = max(self.period_s, AT_REST) if at_rest and self.seldom else self.period_s
         self._regular_s = max(due_s + period_s, now_s)
 
 

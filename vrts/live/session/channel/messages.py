@@ -122,6 +122,7 @@ class Pace(Order, frozen=True, tag="pace"):
     """How many pose frames to make a second."""
 
     rate: Annotated[int, Meta(ge=1, le=60)]
+    seldom: bool = False  # fewer will do while nothing is under way
 
 
 class Stop(Order, frozen=True, tag="stop"):

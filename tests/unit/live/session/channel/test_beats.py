@@ -44,6 +44,18 @@ def test_a_beat_for_after_the_next_one_delays_nothing() -> None:
     assert beats.due_s == pytest.approx(10.05)
 
 
+def test_beats_are_seldom_at_rest_where_that_will_do() -> None:
+    beats = Beats(10.0)
+    beats.kept(10.001, at_rest=True)
+    assert beats.due_s == pytest.approx(10.02), "somebody watches"
+    beats.seldom = True
+    beats.kept(10.021, at_rest=True)
+    assert beats.due_s == pytest.approx(10.22)
+    beats.bring_forward(10.05)  # by a command
+    beats.kept(10.051)
+    assert beats.due_s == pytest.approx(10.07)
+
+
 def test_only_what_may_move_something_brings_a_beat_forward() -> None:
     assert shows(Halt(1, 0.0))
     assert shows(Act(1, 0.0, "ada", do.Ready()))
