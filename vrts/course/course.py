@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Final, Literal, NamedTuple
 
 from vrts.course.slot_rules import SlotRules
+from vrts.live.entrance.provider.settings import ProviderSettings
 from vrts.live.rooms.own.limits import OwnLimits
 
 COURSE_FILE: Final = "course.toml"
@@ -56,6 +57,7 @@ class Course:
     teams: tuple[Team, ...] = ()
     assignments: tuple[Assignment, ...] = ()
     slots: SlotRules | None = None  # times of a shared robot that can be booked; None: none
+    login: ProviderSettings | None = None  # by which people log in; None: by passwords only
 
     @property
     def handed_in(self) -> Path:

@@ -9,6 +9,7 @@ from vrts.base.safe_names import safe
 from vrts.base.source import SourceFile
 from vrts.base.toml.reading import Problems, Table, read_toml
 from vrts.course.course import COURSE_FILE, Assignment, Course, Rank, Staff, Team
+from vrts.course.login_section import read_login
 from vrts.course.robots.limits_table import read_limits
 from vrts.course.slot_rules import read_slots
 from vrts.live.names import display_name
@@ -80,8 +81,21 @@ def _course(top: Table, problems: Problems, folder: Path) -> Course | None:
     teams, limits = _teams(top, problems), read_limits(top)
     assignments = _assignments(top, problems, folder)
     slots = read_slots(top, problems, COURSE, rooms)
+    login = read_login(top, problems, folder)
     return Course(
-        folder, title, path, guests, rooms, scenes, own, limits, staff, teams, assignments, slots
+        folder,
+        title,
+        path,
+        guests,
+        rooms,
+        scenes,
+        own,
+        limits,
+        staff,
+        teams,
+        assignments,
+        slots,
+        login,
     )
 
 

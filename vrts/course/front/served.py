@@ -8,6 +8,7 @@ from vrts.course.course import Course
 from vrts.course.front.assignment_pages import AssignmentPages
 from vrts.course.front.board_pages import BoardPages
 from vrts.course.front.course_pages import CoursePages
+from vrts.course.front.login_pages import LoginPages
 from vrts.course.front.people_pages import PeoplePages
 from vrts.course.front.robot_pages import RobotPages
 from vrts.course.front.slot_pages import SlotPages
@@ -59,6 +60,7 @@ def _parts(course: Course, hub: Hub, sessions: Sessions, pages: Pages) -> tuple[
     people = WatchedPeople(course, hub)
     return (
         PeoplePages(people, hub, pages),
+        LoginPages(people, hub, pages),
         CoursePages(people, hub, pages),
         RobotPages(people, hub, pages),
         SlotPages(people, hub, pages),

@@ -7,15 +7,15 @@ next, so that none is read half written; a faulty one changes nothing, and teach
 import asyncio
 import logging
 from collections.abc import Callable
+from importlib.util import find_spec
 from typing import Final
-
-from msgspec import structs
 
 from vrts.course.course import Course
 from vrts.course.people.following import Followed, follow
 from vrts.course.people.sources import Read, Stamp, people_of, read_people, stamp_of
 from vrts.live.lasting.clock import wall
 from vrts.live.protocol.from_server import Chat
+from vrts.live.protocol.over_http import HowIn
 from vrts.live.rooms.audience import Audience
 from vrts.live.rooms.entering import send_away
 from vrts.live.rooms.hub import Hub
@@ -70,6 +70,10 @@ class WatchedPeople:
         if self._read.good:
             await self._follow(self._read)
 
+    def log(self, text: str) -> None:
+        """Write something into the server's log, which the admin page shows."""
+        _log.warning("%s", text)
+
     async def _take(self, read: Read) -> None:
         if not read.good or read.course is None:
             if read.words != self.fault:
@@ -92,7 +96,12 @@ class WatchedPeople:
         """Let guests in, or do not any more; what lets them in begins or ends with that."""
         hub = self._hub
         began = hub.how_in.guests
-        hub.how_in = structs.replace(hub.how_in, guests=on, title=self.course.title)
+        login = self.course.login
+        if login is not None and find_spec("authlib") is None:
+            _log.warning("nobody logs in by the provider: `pip install 'vrts[login]'` is missing")
+            login = None
+        button = "" if login is None else login.button
+        hub.how_in = HowIn(guests=on, title=self.course.title, provider=button)
         if hub.ways.code.text and not on:
             await hub.ways.renew_code(none=True)
         elif on and not began and not hub.ways.code.text:

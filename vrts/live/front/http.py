@@ -169,8 +169,13 @@ class Pages:
 
     def logged_in(self, account: Account, token: str, browser: str) -> Response:
         """Return the answer to who has come in, with the cookies."""
-        settings = self._hub.settings
         answer = self._me(account)
+        self.remember(answer, token, browser)
+        return answer
+
+    def remember(self, answer: Response, token: str, browser: str) -> None:
+        """Give an answer the cookies of who has come in."""
+        settings = self._hub.settings
         answer.set_cookie(
             settings.cookie,
             token,
@@ -181,7 +186,6 @@ class Pages:
             samesite="strict",
         )
         keep_browser(answer, browser, settings)
-        return answer
 
     def _me(self, account: Account) -> Response:
         return as_json(self._who_is(account))

@@ -84,6 +84,19 @@ def name_of(connection: sqlite3.Connection, typed: str) -> str:
     return typed if found is None else found.name
 
 
+def by_claim(connection: sqlite3.Connection, claim: str) -> Person | None:
+    """Return whom a provider means: somebody listed, by e-mail address or by an id on a list."""
+    found = by_email(connection, claim)
+    if found is None or not found.listed:
+        known = [one for one in people(connection) if one.listed and claim in _ids(one)]
+        found = known[0] if len(known) == 1 else None
+    return found
+
+
+def _ids(person: Person) -> set[str]:
+    return {value.casefold() for value in person.ids.values()}
+
+
 def by_subject(connection: sqlite3.Connection, subject: str) -> Person | None:
     """Return who came by a log-in provider before: issuer and subject."""
     row = connection.execute(
