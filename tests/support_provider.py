@@ -108,7 +108,8 @@ class ProviderServer:
                 break
         else:
             raise AssertionError("".join(said))
-        threading.Thread(target=self.process.stdout.read, daemon=True).start()
+        self._reading = threading.Thread(target=self.process.stdout.read)
+        self._reading.start()
         self.admin = Visitor()
         try:
             self._begin(redirects)
@@ -181,6 +182,9 @@ class ProviderServer:
     ) -> None:
         self.process.terminate()
         self.process.wait(30.0)
+        self._reading.join()
+        assert self.process.stdout is not None
+        self.process.stdout.close()
 
 
 def _plugin(issuer: str) -> dict[str, Any]:

@@ -27,6 +27,8 @@ DOORS = {  # imports within functions below `cli`, each with its reason beside i
     ("vrts.marking.remote.mark_on_dask", "vrts.marking.remote.dask_cluster"),
     ("vrts.marking.submission.marker", "vrts.report.recording"),
     ("vrts.marking.submission.report_files", "vrts.report.recording"),
+    ("vrts.course.front.login_pages", "vrts.live.entrance.provider.checking"),
+    ("vrts.course.front.login_pages", "vrts.live.entrance.provider.provider"),
     ("vrts.live.callers.open_files", "resource"),
     ("vrts.marking.supervise.limits", "resource"),
     ("vrts.marking.supervise.staging", "fcntl"),

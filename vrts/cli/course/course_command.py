@@ -5,6 +5,10 @@ import click
 from vrts.cli.grammar.group import LazyGroup
 
 SUBCOMMANDS = {
+    "new": "write the files of a course to begin with",
+    "check": "show all faults of a course's files, and what will be served",
+    "people": "list who is in a course, and who was here last",
+    "letters": "write a personal link for everybody who comes in for the first time",
     "mark": "mark what was handed in for an assignment",
     "publish": "let students see final marks and what graders say",
 }
@@ -22,5 +26,5 @@ class CourseGroup(LazyGroup):
 def command() -> None:
     """Run a course: a term on the live server, with the list of a class.
 
-    `vrts serve FOLDER` serves it.
+    `vrts serve FOLDER` serves it. `vrts manual run-a-course` shows all steps.
     """

@@ -20,6 +20,7 @@ from vrts.course.front.told_people import (
     Whose,
 )
 from vrts.course.people.following import add_by_hand, end_by_hand
+from vrts.course.people.letters import keep_address
 from vrts.course.people.listed import Listed
 from vrts.course.people.watching import WatchedPeople
 from vrts.live.front.bodies import as_json, read_body
@@ -78,6 +79,8 @@ class PeoplePages:
     async def open(self) -> None:
         """Give everybody an account."""
         await self._people.open()
+        folder, address = self._hub.settings.folder, self._hub.ways.address
+        await asyncio.to_thread(keep_address, folder, address)
 
     async def beat(self) -> None:
         """Follow the files."""

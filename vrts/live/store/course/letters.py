@@ -23,6 +23,11 @@ def new_letter(connection: sqlite3.Connection, account: int, now: float) -> str:
     return token
 
 
+def end_letter(connection: sqlite3.Connection, token: str) -> None:
+    """End a link."""
+    connection.execute("DELETE FROM letter WHERE digest=?", (digest(token),))
+
+
 def has_letter(connection: sqlite3.Connection, account: int, now: float) -> bool:
     """Return whether somebody has a link that works."""
     row = connection.execute(
