@@ -52,6 +52,7 @@ _PAGE: Final = """<!doctype html>
   <meta name="viewport" content="width=device-width, initial-scale=1">
   <meta name="color-scheme" content="light dark">
   <title>Log in · vrts</title>{on}
+  <link rel="icon" href="/web/live/icon.svg" type="image/svg+xml">
   <link rel="stylesheet" href="/web/report/base.css">
   <link rel="stylesheet" href="/web/live/pages.css">
 </head>
@@ -95,7 +96,7 @@ class LoginPages:
         address = self._hub.ways.address
         if request.headers.get("host", "") != address.partition("://")[2]:
             return RedirectResponse(f"{address}{START}", 303)  # where the cookie will be found
-        from vrts.live.entrance.provider.provider import ProviderDown
+        from vrts.live.entrance.provider.provider import ProviderDown  # loaded by who logs in
 
         try:
             url, memory = await provider.begin()
@@ -119,8 +120,8 @@ class LoginPages:
         provider = self._now()
         if provider is None:
             return _told(NO_LOGIN, 404)
-        from vrts.live.entrance.provider.checking import NotTrusted
-        from vrts.live.entrance.provider.provider import ProviderDown
+        from vrts.live.entrance.provider.checking import NotTrusted  # loaded by who logs in
+        from vrts.live.entrance.provider.provider import ProviderDown  # as this one is
 
         if len(request.url.query) > LONGEST:
             return _told("This address is too long.", 414)
@@ -160,7 +161,7 @@ class LoginPages:
         if settings is None or not self._hub.how_in.provider:
             return None
         if self._provider is None or self._provider.settings != settings:
-            from vrts.live.entrance.provider.provider import Provider
+            from vrts.live.entrance.provider.provider import Provider  # without it never loaded
 
             self._provider = Provider(settings, f"{self._hub.ways.address}{BACK}")
         return self._provider

@@ -2,13 +2,14 @@
 
 import asyncio
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import Final
 
 from starlette.requests import Request
 from starlette.responses import Response
 from starlette.routing import BaseRoute, Route
 
+from vrts.course.front.own_page import OwnPage
 from vrts.course.front.told_people import (
     AddStaff,
     AskLetter,
@@ -66,8 +67,8 @@ class PeoplePages:
     def routes(self) -> Sequence[BaseRoute]:
         """Return its pages."""
         return (
-            Route("/course/first", self._page("course/people_first.html")),
-            Route("/course/people", self._page("course/people.html")),
+            *OwnPage("course/first").routes("/course/first"),
+            *OwnPage("course/people").routes("/course/people"),
             Route("/course/letter", self.letter, methods=["POST"]),
             Route("/course/password", self.password, methods=["POST"]),
             Route("/course/people/list", self.list),
@@ -88,12 +89,6 @@ class PeoplePages:
 
     async def close(self) -> None:
         """End: nothing goes on."""
-
-    def _page(self, path: str) -> Callable[[Request], Response]:
-        def page(request: Request) -> Response:
-            return self._pages.static(request, path)
-
-        return page
 
     # --- first entry -----------------------------------------------------------------------------
 

@@ -49,13 +49,13 @@ class Pages:
         found = self._files.find(PAGE)
         carried = await self._carried(request)
         if carried is None or found is None:
-            return self.static(request, PAGE)
+            return self._file(request, PAGE)
         page = await asyncio.to_thread(_with, found, carried)  # others are served meanwhile
         return page.answer(request, cache="no-store")
 
     async def file(self, request: Request) -> Response:
         """Return a file of the page."""
-        return self.static(request, request.path_params["path"])
+        return self._file(request, request.path_params["path"])
 
     async def logout(self, request: Request) -> Response:
         """End the cookie, and the connections of the browser, at once."""
@@ -160,8 +160,7 @@ class Pages:
             return None
         return await self._hub.database.do(lambda c: accounts.who(c, token, wall()))
 
-    def static(self, request: Request, path: str) -> Response:
-        """Return a file of the browser's."""
+    def _file(self, request: Request, path: str) -> Response:
         found = self._files.find(path)
         if found is None:
             return refused(404, "file", "there is no such page")
@@ -194,8 +193,10 @@ class Pages:
         settings = self._hub.settings
         rooms, may_reset = self._hub.entries(account), settings.students_reset
         alone, course = settings.alone, self._hub.course
-        robots = self._hub.robots
-        return Me(account.name, account.supervisor, rooms, alone, may_reset, course, robots)
+        robots, leads = self._hub.robots, account.leads_any
+        teaches = leads and bool(self._hub.how_in.title)
+        who = (account.name, account.supervisor, rooms, alone, may_reset)
+        return Me(*who, course, robots, leads, teaches)
 
 
 def _with(page: Content, carried: Carried) -> Content:

@@ -104,6 +104,8 @@ class Me(msgspec.Struct, frozen=True):
     students_reset: bool = False  # operators may reset and rewind
     course: bool = False  # there are assignments, at `/course/work`
     robots: bool = False  # there are robots of one's own, at `/course/robots`, or time slots
+    leads: bool = False  # some rooms, as an assistant, or all of them
+    teaches: bool = False  # a course, whose board is at `/course/board`
 
 
 class Still(msgspec.Struct, frozen=True):

@@ -2,7 +2,7 @@
 
 import { carried } from "./still/carried.js";
 
-/** @typedef {{name: string, supervisor: boolean, alone: boolean, students_reset: boolean, course?: boolean, robots?: boolean, rooms: import("./protocol.js").RoomEntry[]}} Me */
+/** @typedef {{name: string, supervisor: boolean, alone: boolean, students_reset: boolean, course?: boolean, robots?: boolean, leads?: boolean, teaches?: boolean, rooms: import("./protocol.js").RoomEntry[]}} Me */
 
 /** What the server said when it let nobody in. */
 export class Denied extends Error {
@@ -41,6 +41,13 @@ export function enter(code, name) {
 /** @param {string} user @param {string} password @returns {Promise<Me>} */
 export function logIn(user, password) {
   return post("/login", { user, password });
+}
+
+/** @typedef {{guests: boolean, title: string, provider: string}} HowIn */
+
+/** Ask how people come in here. @returns {Promise<HowIn>} */
+export async function howIn() {
+  return body(await fetch("/door"));
 }
 
 /** End the cookie. */

@@ -81,10 +81,10 @@ export function showRoom(me, wanted) {
       slots.mountOwnSlots(app);
     });
   }
-  if (me.supervisor && !me.alone) {
+  if ((me.supervisor || me.leads) && !me.alone) {
     later(app, async () => {
       const [{ mountLead }, { mountEntrance }] = await Promise.all([import("../panels/lead.js"), import("../panels/entrance.js")]);
-      mountLead(app, mountEntrance(app.toasts, app.store));
+      mountLead(app, mountEntrance(app.toasts, app.store), me);
     });
   }
   mountSettings(app);

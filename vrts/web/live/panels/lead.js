@@ -6,8 +6,12 @@ import { waysIn } from "./ways_in.js";
 
 const ELSEWHERE = { target: "_blank", rel: "noopener" };
 
-/** @param {import("../pages/room.js").App} app @param {ReturnType<import("./entrance.js").mountEntrance>} entrance */
-export function mountLead({ store, connection, toasts }, entrance) {
+/**
+ * @param {import("../pages/room.js").App} app @param {ReturnType<import("./entrance.js").mountEntrance>} entrance
+ * @param {import("../account.js").Me} me an assistant leads some rooms, and nothing that is for all of them
+ */
+export function mountLead({ store, connection, toasts }, entrance, me) {
+  const whole = me.supervisor;
   const panel = byId("panel-lead");
   const told = (/** @type {string} */ type, /** @type {Record<string, unknown>} */ fields = {}) =>
     connection.send(type, fields) || toasts.warn("there is no connection at the moment");
@@ -54,8 +58,8 @@ export function mountLead({ store, connection, toasts }, entrance) {
       ...(one.id === projector ? [make("span", { class: "tag review", text: "projector" })] : []),
       make("div", { class: "row small" },
         make("a", { class: "button", href: `/?room=${encodeURIComponent(one.id)}`, text: "Open", "aria-label": `Open ${one.name}` }),
-        button("Project", () => told("project", { room: one.id }), { "aria-label": `Project ${one.name}` }),
-        button("Link", () => void entrance.showLink(one), { "aria-label": `Link into ${one.name}`, title: "A link that lets into this room only" }),
+        ...(whole ? [button("Project", () => told("project", { room: one.id }), { "aria-label": `Project ${one.name}` }),
+          button("Link", () => void entrance.showLink(one), { "aria-label": `Link into ${one.name}`, title: "A link that lets into this room only" })] : []),
         button("Replay", () => void replay(one), { "aria-label": `Replay of ${one.name}`, title: "A page that shows all that was done, forward and backward" }),
         button("Log", () => log(one.id), { "aria-label": `Log of ${one.name}`, title: "To be replayed, marked or kept" }),
         button("Close", () => window.confirm(`Close ${one.name} for good?`) && told("close_room", { room: one.id }), { "aria-label": `Close ${one.name}` })))));
@@ -100,6 +104,12 @@ export function mountLead({ store, connection, toasts }, entrance) {
       make("div", { class: "row" }, button("Take control", () => told("hand_over", { person: store.now.you }), { title: "At once, before the queue" }),
         button("Free control", () => told("hand_over", { person: "" }), { title: "Take it from the person who has it; the first in the queue is next" })), make("div", { class: "row" }, lock, freeze, chat), times,
       make("div", { class: "row" }, scene, begin)),
+    ...(me.teaches ? [make("div", { class: "block" }, make("h2", { text: "Course" }), make("div", { class: "row" },
+      make("a", { class: "button", href: "/course/board", text: "Board" }), ...(whole ? [make("a", { class: "button", href: "/course/people", text: "People" })] : [])))] : []),
+    ...(whole ? [] : [make("div", { class: "block" }, make("h2", { text: "Rooms" }), rooms)]),
+  );
+  if (!whole) return;
+  panel.append(
     make("div", { class: "block" }, make("h2", { text: "All rooms" }),
       make("div", { class: "row" }, button("Class code", () => void entrance.showCode()),
         make("a", { class: "button", href: "/?wall", text: "Wall", ...ELSEWHERE }), make("a", { class: "button", href: "/?projector", text: "Projector", ...ELSEWHERE })),

@@ -1,9 +1,9 @@
 // The people of a course: for teachers, who add others who teach and give out new links.
 
-import { button, byId, make, onSubmit, write } from "../live/dom.js";
-import { settle } from "../live/focus.js";
-import { isolated } from "../live/names.js";
-import { asked, told } from "./people_asking.js";
+import { button, byId, make, onSubmit, write } from "../../live/dom.js";
+import { settle } from "../../live/focus.js";
+import { isolated } from "../../live/names.js";
+import { asked, told } from "./asking.js";
 
 const EVERY = 5_000; // [ms]
 const WAYS = { password: "password", provider: "log-in elsewhere", link: "a link, not used yet", none: "nothing yet: give them a link" };
@@ -40,7 +40,7 @@ function row(person) {
   const is = listed ? `${rank}${leads}` : "on no list any more: does not come in";
   const last = here ? make("span", { class: "people-here", text: "here now" }) : seen ? new Date(seen * 1000).toLocaleString() : "never";
   const acts = listed ? [button("New link", () => void attempt(link(account)), { "aria-label": `New link for ${name}` })] : [];
-  if (listed && origin === "page") acts.push(button("End", () => void attempt(end(account)), { "aria-label": `Let ${name} in no more` }));
+  if (listed && origin === "page") acts.push(button("End", () => void attempt(end(account)), { "aria-label": `End for ${name}`, title: "Let them in no more" }));
   return make("tr", { "data-key": String(account), class: listed ? "" : "away" },
     make("th", { scope: "row" }, isolated(name), ...(origin === "page" ? [make("span", { class: "tag", text: "added here" })] : [])),
     make("td", {}, make("bdi", { text: email })), make("td", { text: is }), make("td", {}, make("bdi", { text: team })),

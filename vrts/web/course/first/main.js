@@ -1,8 +1,8 @@
 // The first entry: who has a personal link chooses a password.
 
-import { byId, onSubmit, write } from "../live/dom.js";
-import { inText } from "../live/names.js";
-import { told } from "./people_asking.js";
+import { byId, onSubmit, write } from "../../live/dom.js";
+import { inText } from "../../live/names.js";
+import { told } from "../people/asking.js";
 
 const form = byId("first-form");
 const code = location.hash.slice(1);
