@@ -8,6 +8,10 @@ HANDING_RULES = "tests/unit/course/handing/test_rules.py"
 WORK = "tests/unit/course/handing/test_work_over_http.py"
 PUBLISHED = "tests/unit/course/handing/test_published.py"
 BOARD_PAGES = "tests/unit/course/board/test_board_pages.py"
+FOLLOWING = "tests/unit/course/people/test_following.py"
+RIGHTS = "tests/unit/course/people/test_rights.py"
+CHECKS = "tests/unit/live/entrance/test_provider_checks.py"
+PROVIDER = "tests/unit/course/people/test_provider.py"
 
 COURSE: tuple[Patch, ...] = (
     Patch(
@@ -72,5 +76,47 @@ COURSE: tuple[Patch, ...] = (
         "if best else marked[-1]",
         "if not best else marked[-1]",
         (BOARD,),
+    ),
+    Patch(
+        "an assistant leads every room",
+        "vrts/live/store/accounts.py",
+        "return self.supervisor or not self.leads.isdisjoint((room, ALL_ROOMS))",
+        "return self.supervisor or bool(self.leads)",
+        (FOLLOWING,),
+    ),
+    Patch(
+        "an assistant does in all rooms what is for all rooms",
+        "vrts/live/rooms/supervising.py",
+        "    account = member.account\n    if account.supervisor:\n        return\n",
+        "    account = member.account\n    if account.leads_any:\n        return\n",
+        (RIGHTS,),
+    ),
+    Patch(
+        "who is taken off the list of a course comes in with the cookie of before",
+        "vrts/live/store/accounts.py",
+        "person.account=account.id AND NOT listed)",
+        "person.account=account.id AND NOT 1)",
+        (FOLLOWING,),
+    ),
+    Patch(
+        "a personal link works again and again",
+        "vrts/live/store/course/letters.py",
+        '    connection.execute("DELETE FROM letter WHERE account=?", (person.account,))\n',
+        "",
+        (RIGHTS,),
+    ),
+    Patch(
+        "a token for another log-in is taken",
+        "vrts/live/entrance/provider/checking.py",
+        '        "nonce": expected.nonce,\n',
+        "",
+        (CHECKS,),
+    ),
+    Patch(
+        "an address that the provider has not verified opens an account",
+        "vrts/course/front/login_pages.py",
+        "        if not identity.verified:",
+        "        if False:",
+        (PROVIDER,),
     ),
 )
