@@ -2,6 +2,7 @@
 
 import os
 from collections.abc import Iterator
+from datetime import UTC, datetime
 from pathlib import Path
 
 import pytest
@@ -9,6 +10,7 @@ from playwright.sync_api import Browser
 
 from tests.browser.axe import AXE, faults
 from tests.browser.support import PATIENCE, Opened
+from tests.support_commands import vrts_text
 from tests.support_handing import (
     EXAMPLE,
     PASSWORD,
@@ -18,6 +20,10 @@ from tests.support_handing import (
     log_in,
 )
 from tests.support_live import LiveServer
+from vrts.marking.by_hand.decisions.files import add_decisions
+from vrts.marking.by_hand.decisions.records import Comment
+from vrts.marking.layout import Layout
+from vrts.marking.row import class_from_bytes
 
 pytestmark = pytest.mark.browser
 
@@ -47,8 +53,11 @@ def work(browser: Browser, tmp_path: Path) -> Iterator[tuple[Opened, LiveServer]
         context.close()
 
 
-def test_a_student_reads_hands_in_and_sees_why(work: tuple[Opened, LiveServer]) -> None:
-    view, _ = work
+@pytest.mark.thorough
+def test_a_student_hands_in_sees_why_and_reads_what_graders_say(
+    work: tuple[Opened, LiveServer],
+) -> None:
+    view, server = work
     page = view.page
     assert page.inner_text("#work-title") == "Cans on bases"
     assert "the deadline is over" in page.inner_text(".facts")
@@ -73,7 +82,29 @@ def test_a_student_reads_hands_in_and_sees_why(work: tuple[Opened, LiveServer]) 
     report = opened.value
     report.wait_for_selector("canvas")
     assert "hits base1" in report.inner_text("body")
+    _publish(server.folder.parent)
+    page.reload()
+    page.wait_for_selector(".final")
+    assert page.inner_text("#work-final") == "Final mark: 4.0 of 10"
+    assert "line 11, 4.90 s: look at the height" in page.inner_text(".final")
+    assert faults(view, WIDE, dark=True) == []
+    _picture(view, "work-final")
+    with page.context.expect_page() as opened:
+        page.click("text=Report with comments")
+    opened.value.wait_for_selector("#graders")
+    assert "look at the height" in opened.value.inner_text("#graders")
     assert view.messages == []
+
+
+def _publish(home: Path) -> None:
+    """Mark, comment on a line and a moment, and publish, as a teacher does."""
+    course, out = str(home / "course"), home / "out"
+    assert vrts_text("course", "mark", course, "cans", "-o", str(out)).returncode == 0
+    rows = class_from_bytes(Layout(out).results.read_bytes()).rows
+    cy = next(one.id for one in rows if one.student.email == STUDENTS[0][1])
+    said = Comment(0, "", cy, "look at the height", 11, 4.9)
+    add_decisions(Layout(out).decisions, "R. Huber", (said,), datetime(2026, 12, 1, tzinfo=UTC))
+    assert vrts_text("course", "publish", course, "cans", str(out)).returncode == 0
 
 
 def _picture(view: Opened, name: str) -> None:

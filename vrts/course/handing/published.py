@@ -27,7 +27,7 @@ class Said(msgspec.Struct, frozen=True, omit_defaults=True):
     points: str = ""  # of an item: a fraction, added to the mark
 
 
-class Returning(msgspec.Struct, frozen=True, omit_defaults=True):
+class Returning(msgspec.Struct, frozen=True):
     """What a student is told about the final mark."""
 
     mark: str  # a sentence
