@@ -62,7 +62,7 @@ function show() {
 function row(work, current) {
   const best = work.attempts?.find(({ mark }) => mark);
   const line = make("span", { class: "line" }, make("small", { text: work.due ? until(work) : "no deadline" }),
-    make("small", { text: work.final ? `final: ${work.final.mark}` : best ? `${best.mark} of ${best.total}` : "" }));
+    make("small", { text: work.final ? work.final.mark : best ? `${best.mark} of ${best.total}` : "" }));
   return make("li", {}, make("button", {
     type: "button", "data-keep": `list ${work.id}`, ...(current ? { "aria-current": "true" } : {}),
     click: () => { location.hash = encodeURIComponent(work.id); },
