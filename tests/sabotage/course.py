@@ -12,6 +12,8 @@ FOLLOWING = "tests/unit/course/people/test_following.py"
 RIGHTS = "tests/unit/course/people/test_rights.py"
 CHECKS = "tests/unit/live/entrance/test_provider_checks.py"
 PROVIDER = "tests/unit/course/people/test_provider.py"
+OWN_SLEEP = "tests/unit/live/rooms/test_own_sleep.py"
+SLOTS = "tests/unit/course/robots/test_slots.py"
 
 COURSE: tuple[Patch, ...] = (
     Patch(
@@ -48,6 +50,55 @@ COURSE: tuple[Patch, ...] = (
         "    if unsafe:\n",
         "    if unsafe and not rows:\n",
         (PUBLISHED,),
+    ),
+    Patch(
+        "others enter a robot of somebody's own who know its address",
+        "vrts/live/rooms/hub.py",
+        "    return room.shared and account.room in (None, room.id)",
+        "    return room.branch is None and account.room in (None, room.id)",
+        (OWN_SLEEP,),
+    ),
+    Patch(
+        "who leads sees somebody's own robot without being in it",
+        "vrts/live/rooms/hub.py",
+        "    return any(member.account.id == account.id for member in room.members.values())",
+        "    return may_enter(account, room)",
+        (OWN_SLEEP,),
+    ),
+    Patch(
+        "a robot falls asleep while a program waits in it",
+        "vrts/live/rooms/own/sleeping.py",
+        'type=_Mode).mode in ("idle", "stopped")',
+        'type=_Mode).mode in ("idle", "stopped", "waiting")',
+        (OWN_SLEEP,),
+    ),
+    Patch(
+        "a program that is left running in a robot of one's own runs for ever",
+        "vrts/live/rooms/own/sleeping.py",
+        "        elif unused > limits.program_s and",
+        "        elif unused > 1e9 and",
+        (OWN_SLEEP,),
+    ),
+    Patch(
+        "two people have the same time of a shared robot",
+        "vrts/live/store/course/slots.py",
+        '        return "taken"',
+        "        pass",
+        (SLOTS,),
+    ),
+    Patch(
+        "slots follow the clock on the wall where clocks change",
+        "vrts/course/slot_rules.py",
+        "        return local.timestamp()",
+        "        return local.replace(hour=0, minute=0).timestamp() + 60.0 * minutes",
+        (SLOTS,),
+    ),
+    Patch(
+        "who has booked a time waits behind the others",
+        "vrts/course/robots/slots.py",
+        "        room.control.hand_over(member.id, steady)\n",
+        "        room.control.request(member.id, steady)\n",
+        (SLOTS,),
     ),
     Patch(
         "everybody who is logged in sees the board of a course",

@@ -5,6 +5,8 @@ from pathlib import Path
 from tests.support_course import came_in, course_folder
 from tests.support_live import Browser, Json, LiveServer, session_processes
 
+MORE = '[robots]\nawake = 5\n[slots]\ntime_zone = "UTC"\nhours = "00:00-24:00"\n'
+
 
 def opened_robot(server: LiveServer, cookie: str, scene: str = "cans-on-bases") -> str:
     """Open one's own robot; return the room's id."""
@@ -24,7 +26,7 @@ def woken(browser: Browser) -> Json:
 def test_a_student_has_a_robot_that_nobody_else_enters_and_that_outlasts_the_server(
     tmp_path: Path,
 ) -> None:
-    course = course_folder(tmp_path / "course", more="[robots]\nawake = 5\n")
+    course = course_folder(tmp_path / "course", more=MORE)
     server = LiveServer(tmp_path / "live", scenes=(str(course),))
     anna_cookie, bo_cookie = came_in(server, "Cy Dahl"), came_in(server, "Di Ek")
     room = opened_robot(server, anna_cookie)
@@ -39,11 +41,27 @@ def test_a_student_has_a_robot_that_nobody_else_enters_and_that_outlasts_the_ser
     guest = server.enter("Guest")
     answer = server.request("POST", "/course/robots", {"scene": "cans-on-bases"}, cookie=guest)
     assert answer.status == 403
+    (first, *_) = server.request("GET", "/course/slots", cookie=bo_cookie).json["slots"]
+    for who, more in ((guest, {}), (bo_cookie, {"name": "Cy Dahl"})):
+        wanted = {"do": "book", "starts": first["starts"], **more}
+        answer = server.request("POST", "/course/slots", wanted, cookie=who)
+        assert answer.status == 403, "a guest, and for somebody else"
     anna = server.join(anna_cookie, room=room)
     assert anna.wait("snapshot")["room"]["own"] == "Cy Dahl"
     lease = anna.wait("control", lambda m: m["lease"] != "")["lease"]
     anna.wait("state", lambda m: m["state"] is not None)
     assert anna.answer(anna.command(lease, "line", line="DO a = 7"))["result"]["accepted"]
+    anna.send("raise_hand", up=True, text="it does not close")
+    bo.send("lower_hand", room=room)
+    assert bo.wait("refused")["code"] == "role"
+    boss_cookie = server.supervisor()
+    boss = server.join(boss_cookie)
+    (hand,) = boss.wait("hands", lambda m: m["hands"] != [])["hands"]
+    assert (hand["room"], hand["name"], hand["place"]) == (room, "Cy Dahl", 1)
+    number = anna.came[[m["type"] for m in anna.came].index("snapshot")]["session"]
+    seen = server.request("GET", f"/scene/{room}/{number}", cookie=boss_cookie)
+    assert seen.status in (403, 404), "nobody looks in unseen"
+    anna.wait("hands", lambda m: m["hands"] != [])
     server.close_browsers()
     server.kill()
     server.start("0")
@@ -53,6 +71,7 @@ def test_a_student_has_a_robot_that_nobody_else_enters_and_that_outlasts_the_ser
         assert opened_robot(server, cookie) == room
         anna = server.join(cookie, room=room)
         lease = anna.wait("control", lambda m: m["lease"] != "")["lease"]
+        assert anna.wait("hands")["hands"][0]["text"] == "it does not close"
         anna.wait("state", lambda m: m["state"] is not None)
         said = anna.answer(anna.command(lease, "line", line="LISTR a"))["result"]["text"]
         assert "7" in said, "it is as it was"
