@@ -1,4 +1,4 @@
-"""What 200 robots of their own cost while they sleep: bytes that are sent, and each round of time."""
+"""What 200 robots of their own cost while they sleep: bytes sent, and each round of time."""
 
 import asyncio
 import time
