@@ -1,0 +1,57 @@
+"""`vrts course purge`."""
+
+from pathlib import Path
+
+import click
+
+from vrts.cli.course.export_command import require_server
+from vrts.cli.shared.console import WRONG, fail, guarded, say, warn
+from vrts.cli.shared.options import file_option
+
+EPILOG = """\b
+Examples:
+  vrts course purge robotics-2026 "Ada Lind"
+"""
+
+
+@click.command(name="purge", epilog=EPILOG)
+@click.argument("folder", type=click.Path(path_type=Path))
+@click.argument("name")
+@file_option(
+    "--folder",
+    "server",
+    default=Path("vrts-live"),
+    show_default=True,
+    help="Folder of the server, as with `vrts serve`.",
+)
+@click.option("--mentions", is_flag=True, help="Also forget others' texts that hold the name.")
+@file_option("--log-key", help="File with the key that signs the logs, outside of the folder.")
+@guarded
+def command(folder: Path, name: str, server: Path, mentions: bool, log_key: Path | None) -> None:
+    """Forget a person in a course: account, hand-ins, marks, what was published for them.
+
+    What a team handed in stays with the others of the team. The server may run meanwhile. Take the
+    person off the class list first: who stands on it gets a new account. What `vrts grade` wrote
+    about the class lies elsewhere: `vrts grade purge` forgets them there.
+    """
+    from vrts.course.course_file import open_course
+    from vrts.course.personal.forgetting import forget
+
+    open_course(folder)
+    require_server(server)
+    found = forget(folder, server, name, log_key, mentions=mentions)
+    if not found.server.accounts:
+        fail(f"nothing is kept of `{name}`", status=WRONG)
+    say(f"accounts forgotten: {found.server.accounts}; files of the course removed: {found.files}")
+    for copy in found.server.copies:
+        say(f"removed an older copy of the database: {copy}")
+    if found.server.mentions:
+        warn(
+            f"`{name}` still stands in {found.server.mentions} texts of others;"
+            " `--mentions` forgets these too"
+        )
+    if found.server.left:
+        warn(found.server.left)
+    if found.listed:
+        warn(f"`{name}` may stand on the class list still: then they get a new, empty account")
+    warn("what `vrts grade` wrote about the class keeps what it holds: `vrts grade purge`")
