@@ -11,7 +11,7 @@ import hashlib
 import os
 import random
 import shutil
-from collections.abc import Iterator
+from collections.abc import Generator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -90,7 +90,7 @@ class Term:
         connection.close()
 
     @contextmanager
-    def server(self) -> Iterator[LiveServer]:
+    def server(self) -> Generator[LiveServer]:
         started = LiveServerAhead(self.kept, scenes=(str(self.course),), measured=True)
         try:
             yield started

@@ -11,6 +11,8 @@ SUBCOMMANDS = {
     "letters": "write a personal link for everybody who comes in for the first time",
     "mark": "mark what was handed in for an assignment",
     "publish": "let students see final marks and what graders say",
+    "export": "pack all that a course keeps of a person",
+    "purge": "forget a person in a course",
 }
 SECTIONS = {"Commands": SUBCOMMANDS}
 
