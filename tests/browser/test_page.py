@@ -12,7 +12,7 @@ from tests.browser.support import PIXEL, Opened, clock, opened, until
 from tests.support_runs import CONTACT_S, END_S, GRASP_S, RUN_S, assessment, with_segments
 from tests.support_segments import blend, sampled, segment, slowed
 from vrts.base.pose import Pose, distance
-from vrts.cli.shared.run_page import anchor
+from vrts.debug.marks.links import anchor
 from vrts.engine.memory.records import Segment
 from vrts.report.page.page import page
 from vrts.robots.kinematics.kinematics import forward, link_poses
@@ -67,6 +67,10 @@ def test_it_opens_at_the_time_of_its_address_to_every_digit(
     view.page.goto(report.page.url.partition("#")[0] + anchor(asked))
     until(view, "window.vrts !== undefined")
     assert view.page.evaluate("vrts.player.t") == asked
+    # ... and goes on to another one: it is the same page still
+    view.page.evaluate("at => { window.same = true; location.hash = at; }", anchor(asked / 2))
+    until(view, f"vrts.player.t === {asked / 2!r}")
+    assert view.page.evaluate("window.same")
     view.page.close()
 
 

@@ -2252,6 +2252,20 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/debug/conditions/test_together.py",),
     ),
     Patch(
+        "debug: of many log points together one writes a value that is not sure",
+        "vrts/debug/messages.py",
+        "            sure &= known\n",
+        "",
+        ("tests/unit/debug/conditions/test_together.py",),
+    ),
+    Patch(
+        "debug: a text that an editor has sent is news when it is saved",
+        "vrts/debug/files.py",
+        "!= self._debugged.get(path)",
+        "is not None",
+        ("tests/unit/debug/editing/test_text.py",),
+    ),
+    Patch(
         "debug: elements of arrays are those of another instant",
         "vrts/debug/conditions/past.py",
         "cell.value = found.at(self._past.finished)",

@@ -1,6 +1,9 @@
 """What log points write: text with expressions in braces."""
 
 import re
+from collections.abc import Sequence
+
+import numpy as np
 
 from vrts.debug.conditions.expression import Expressions
 from vrts.debug.conditions.hearing import Hear, nobody
@@ -23,6 +26,34 @@ class Message:
             (expressions.of(asked), behind)
             for asked, behind in zip(parts[1::2], parts[2::2], strict=True)
         ]
+
+    def filled_all(
+        self,
+        instants: Sequence[Instant],
+        activations: Sequence[Activation | None],
+        processes: Sequence[bool],
+        hear: Hear = nobody,
+    ) -> list[str]:
+        """Return what `filled` does at each of many instants.
+
+        Args:
+            instants: When it is written.
+            activations: The program that writes it, beside each.
+            processes: Whether it is that of the process control program, beside each.
+            hear: Who is heard meanwhile.
+        """
+        columns: list[list[str]] = []
+        sure = np.ones(len(instants), bool)
+        for expression, behind in self._asked:
+            reals, known = expression.reals(instants, activations, processes, hear)
+            values: list[float] = np.where(known, reals, 0.0).tolist()
+            columns.append([value_text(value).strip() + behind for value in values])
+            sure &= known
+        texts = [self._first + "".join(row) for row in zip(*columns, strict=True)]
+        texts = texts or [self._first] * len(instants)
+        for k in np.flatnonzero(~sure).tolist():
+            texts[k] = self.filled(instants[k], activations[k], hear, process=processes[k])
+        return texts
 
     def filled(
         self,

@@ -30,7 +30,7 @@ from vrts.cli.shared.options import (
     task_option,
 )
 from vrts.cli.shared.programs import tell_task
-from vrts.cli.shared.run_page import AGAIN, anchor, assessed, open_page, write_page
+from vrts.cli.shared.run_page import AGAIN, assessed, open_page, write_page
 from vrts.pipeline.where import ANYWHERE, Where
 
 if TYPE_CHECKING:
@@ -168,6 +168,8 @@ def _show(
     else:
         write_page(found, path)
     if target is not None:
+        from vrts.debug.marks.links import anchor
+
         at = "" if time_s is None else f"; `{anchor(time_s)}` behind its address is the time"
         say(f"wrote {target}{at}")
     if not no_open:

@@ -78,11 +78,6 @@ def opens_in_window(path: Path, time_s: float) -> bool:
 
 
 def _address(path: Path, time_s: float | None) -> str:
+    from vrts.debug.marks.links import anchor
+
     return path.resolve().as_uri() + ("" if time_s is None else anchor(time_s))
-
-
-def anchor(time_s: float) -> str:
-    """Return what stands behind the address of a page to open it at a time [s], to every digit."""
-    from vrts.debug.marks.links import time_text
-
-    return f"#t={time_text(time_s)}"

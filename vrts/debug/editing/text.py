@@ -60,8 +60,8 @@ def take_up(console: Console, debugger: Debugger, sent: Mapping[str, str] | None
     console.request = request
     files = console.files
     if files is not None:
-        for name in after:
-            files.taken(Path(name))
+        for name, text in after.items():
+            files.taken(Path(name), text)
     console.show(sources_of(debugger))
     stays = forked.differs is None or at.finished <= forked.differs.finished
     told = _told(forked, stays=stays, time_s=debugger.at.time_s)

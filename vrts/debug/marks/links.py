@@ -28,6 +28,11 @@ def time_text(time_s: float) -> str:
     return next((text for text in shorter if float(text) == time_s), repr(time_s))
 
 
+def anchor(time_s: float) -> str:
+    """Return what stands behind the address of a page to open it at a time [s], to every digit."""
+    return f"#t={time_text(time_s)}"
+
+
 def options_of(run: Run, instant: Instant) -> list[str]:
     """Return the options that lead to an instant: with `--step` where a time alone does not."""
     found = ["--at", time_text(instant.time_s)]
@@ -58,7 +63,7 @@ def links(
         found.append(shlex.join(["vrts", "debug", *opener.words, *options_of(first, instant)]))
         if opener.viewed is not None:
             found.append(shlex.join(["vrts", "view", *opener.viewed, "--at", at]))
-            found.append(f"#t={at} behind the address of a page of this run")
+            found.append(f"{anchor(instant.time_s)} behind the address of a page of this run")
     if cause is not None and Path(cause.span.source.name).is_absolute():
         line, column = cause.span.line, cause.span.column
         found.append(f"vscode://file{quote(cause.span.source.name)}:{line}:{column}")

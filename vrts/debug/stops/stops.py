@@ -1,6 +1,7 @@
 """Every place of a run where the user wishes to stop: the next one, and the last one before."""
 
 from collections.abc import Callable, Mapping, Sequence
+from itertools import islice, repeat
 from typing import NamedTuple
 
 from vrts.debug.alarms import Alarms
@@ -10,7 +11,7 @@ from vrts.debug.conditions.expression import Expressions
 from vrts.debug.conditions.hearing import Hear
 from vrts.debug.messages import Message
 from vrts.debug.passages import Instant, Passages
-from vrts.debug.stops.came import Came, Chosen, Look, Place, came_to
+from vrts.debug.stops.came import MOST, Came, Chosen, Look, Place, came_to
 from vrts.debug.stops.stop import Logged, Stop, Why, Wishes
 from vrts.engine.memory.trace import Activation
 from vrts.engine.run import Run
@@ -83,11 +84,16 @@ class Stops:
             wished, message = self._of_line(point), Message(point.log, self._expressions)
             if wished is None:
                 continue
-            for came in wished.place.passed(begin, end, look):
-                text = message.filled(
-                    came.instant, look.activation(came), look.heard, process=came.process
+            passed = wished.place.passed(begin, end, look)
+            while part := list(islice(passed, MOST)):
+                instants = [came.instant for came in part]
+                texts = message.filled_all(
+                    instants,
+                    [look.activation(came) for came in part],
+                    [came.process for came in part],
+                    look.heard,
                 )
-                found.append(Logged(came.instant, text, point.id))
+                found += map(Logged, instants, texts, repeat(point.id))
         return sorted(found, key=_when) if len(points) > 1 else found
 
     def value(

@@ -49,8 +49,11 @@ for (const button of document.querySelectorAll("button.seek")) {
   button.addEventListener("click", () => watch(Number(/** @type {HTMLElement} */ (button).dataset.t)));
 }
 if (viewer) drawSnapshots(viewer, replay, data.contacts, mark);
-const asked = new URLSearchParams(location.hash.slice(1)).get("t"); // page.html#t=3.2
-jump(asked === null ? data.moment ?? 0 : Math.min(Math.max(Number(asked) || 0, 0), replay.end));
+jump(askedTime() ?? data.moment ?? 0);
+addEventListener("hashchange", () => {
+  const t = askedTime();
+  if (t !== null) jump(t);
+});
 
 /** @typedef {{start: number, end: number, first: string, second: string, parts: string[], text: string, point: number[], deepest: number, held: string | null, line: number}} Contact */
 
@@ -65,6 +68,12 @@ function openViewer() {
   }
   probe.getExtension("WEBGL_lose_context")?.loseContext();
   return new Viewer(canvas, data.scene, theme());
+}
+
+/** What the page's address asks for, as page.html#t=3.2. @returns {number | null} a time of the run [s]; null: nothing */
+function askedTime() {
+  const asked = new URLSearchParams(location.hash.slice(1)).get("t");
+  return asked === null ? null : Math.min(Math.max(Number(asked) || 0, 0), replay.end);
 }
 
 /** Stand still at a time. */

@@ -12,6 +12,7 @@ from vrts.debug.conditions.expression import Expressions
 from vrts.debug.conditions.hearing import nobody
 from vrts.debug.debugger import Debugger
 from vrts.debug.evaluating import CannotTell
+from vrts.debug.messages import Message
 from vrts.debug.passages import Instant
 from vrts.engine.memory.trace import Activation
 
@@ -61,3 +62,16 @@ def test_many_instants_together_give_what_each_gives_alone(seed: int) -> None:
         assert [repr(v) for v in reals[lanes].tolist()] == wanted, text
         compared += len(lanes)
     assert compared > 500
+
+
+def test_many_log_points_together_write_what_each_writes_alone() -> None:
+    d = there()
+    shared = Expressions(d.run, d.dialect)
+    text = "n {n}, g {g[n]} {x/m}, at {DX(HERE)}: {$s} {nothing} {far} {RANDOM() < 2}."
+    message = Message(text, shared)
+    instants, activations, processes = passed(d, process=False)
+    apart = Message(text, Expressions(d.run, d.dialect))
+    wanted = [apart.filled(*place) for place in zip(instants, activations, strict=True)]
+    assert message.filled_all(instants, activations, processes) == wanted
+    assert len(set(wanted)) > 10
+    assert Message("here", shared).filled_all(instants, activations, processes)[-1] == "here"

@@ -1,5 +1,6 @@
 """A text that is saved while it is debugged: taken up, refused, and what stays where it was."""
 
+import os
 from pathlib import Path
 
 import pytest
@@ -8,6 +9,7 @@ from tests.places import ROOT
 from tests.support_dap import Client
 from tests.unit.debug.scripted.test_commands import refused, said, session
 from vrts.debug.editing.lines import changed_lines, line_after
+from vrts.debug.editing.text import take_up
 from vrts.debug.opening import Asked, opened
 from vrts.debug.scripted.commander import carry_out
 from vrts.debug.scripted.session import Session
@@ -81,6 +83,26 @@ def test_what_does_not_compile_is_told_and_changes_nothing(program: Path) -> Non
     assert "nothing has changed" in refused(s, "reload")
     program.write_text(TEXT, encoding="utf-8")
     assert refused(s, "reload") == "the text is as it was"
+
+
+def test_a_text_that_an_editor_sends_is_no_news_when_it_is_saved(program: Path) -> None:
+    s = opened_session(program)
+    files = s.console.files
+    assert files is not None
+    for number in ("30", "31", "32"):  # saved after it was sent, as by itself; the last one before
+        text = TEXT.replace("x = 3", f"x = {number}")
+        if number == "32":
+            program.write_text(text, encoding="utf-8")
+        take_up(s.console, s.debugger, {str(program.resolve()): text})
+        assert files.news() == ""
+        program.write_bytes(text.replace("\n", "\r\n").encode("latin-1"))
+        assert files.news() == ""
+        assert files.stale  # `restart` begins with it
+    program.write_text(TEXT.replace("x = 3", "x = 99"), encoding="utf-8")
+    assert files.news().startswith("`prog.v2` has changed on disk: type `reload`")
+    assert files.news() == ""
+    os.utime(program, ns=(1, 1))  # written again as it was
+    assert files.news() == ""
 
 
 def test_a_run_from_nowhere_has_no_other_text(tmp_path: Path) -> None:
