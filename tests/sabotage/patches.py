@@ -3309,6 +3309,13 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/check/collision/test_grip_looks.py",),
     ),
     Patch(
+        "questions of the second kind are taken for those of the first",
+        "vrts/check/collision/pairs/asking.py",
+        "*(_into(other, number, question)",
+        "*(_into(other, len(second) - 1 - number, question)",
+        ("tests/unit/check/collision/test_asking.py",),
+    ),
+    Patch(
         "a support is not lowered under what it held up",
         "vrts/check/collision/pairs/pairs.py",
         "table.add(group, stay.members, other.lowered, interval, NEAR)",

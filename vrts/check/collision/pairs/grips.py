@@ -25,6 +25,7 @@ SEPARATED = 2e-4  # [m] pads farther than this from the object have let go of it
 FINE = 14e-3  # [s] between instants at which separation is looked for: half a tick [assumed]
 COARSE = 56e-3  # [s] between instants at which the way apart and back is followed [assumed]
 BATCH = 16  # instants looked at together, at first
+SOON = 3  # the same where pads let go: they do so at once, nearly always
 AWAY = 50e-3  # [m] a pair this far apart has parted [assumed]
 SHRUNK = 1e-6  # [m] what is nearer by less than at the look before is no nearer
 SOONER = 1e-9  # [s] no instant so near to the end is looked at
@@ -127,7 +128,7 @@ def counted_until(start_s: float, end_s: float, near_miss: float = NEAR_MISS) ->
 
 def _apart(start_s: float, end_s: float) -> Asking[float]:
     """Return when a finger is first seen to be apart from what it held; `end_s` if never."""
-    for times in _looks(start_s, end_s, FINE):
+    for times in _looks(start_s, end_s, FINE, SOON):
         found = yield from _first(times, lambda gap, _: _exceeds(gap, SEPARATED))
         if found is not None:
             return found
@@ -149,7 +150,7 @@ def _away(
         return _either(_exceeds(gap, AWAY), _comes_nearer(gap, before, far))
 
     last = np.empty(0)
-    for times in _looks(start_s, end_s, COARSE):
+    for times in _looks(start_s, end_s, COARSE, BATCH):
         looks = np.concatenate((last, times))  # the last one again: what comes before the next
         found = yield from _first(looks, parted, mirrored)
         if found is not None:
@@ -201,10 +202,10 @@ def _either(one: bool | None, other: bool | None) -> bool | None:
     return None if one is None or other is None else False
 
 
-def _looks(start_s: float, end_s: float, step_s: float) -> Iterator[Array]:
+def _looks(start_s: float, end_s: float, step_s: float, batch: int) -> Iterator[Array]:
     """Yield the instants from one time on, a step apart, before another: more and more at once."""
     total = math.ceil(max(end_s - start_s - SOONER, 0.0) / step_s)
-    first, count = 0, BATCH
+    first, count = 0, batch
     while first < total:
         times = np.arange(first, min(first + count, total), dtype=np.float64)
         yield start_s + step_s * times

@@ -5,14 +5,14 @@ convex pieces with an interval of time and a rule are one row of `Pairs`; the se
 at once, whatever their intervals.
 """
 
-from collections.abc import Callable, Mapping, Sequence
-from typing import NamedTuple, TypeAlias
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import Generic, NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
 import numpy.typing as npt
 
 from vrts.check.collision.pairs.arm_state import Asked, Prober, RunRecord
-from vrts.check.collision.pairs.asking import all_told
+from vrts.check.collision.pairs.asking import both_told
 from vrts.check.collision.pairs.cast import (
     HAND,
     Cast,
@@ -71,6 +71,20 @@ class Plan(NamedTuple):
 
 
 _Meeting: TypeAlias = tuple[Stay, Stay, tuple[float, float]]  # of bodies, from when to when
+_Stays: TypeAlias = Sequence[tuple[Sequence[int], float, float]]  # solids, from when to when
+T = TypeVar("T")
+
+
+class _Question(NamedTuple, Generic[T]):
+    """A question that asks for distances, and between which solids."""
+
+    asking: Asking[T]
+    first: Sequence[int]
+    stays: _Stays
+
+    @property
+    def sides(self) -> tuple[Sequence[int], _Stays]:
+        return self.first, self.stays
 
 
 def plan(
@@ -116,8 +130,13 @@ def plan(
     table = Table()
     self_pairs(table, scene.robot, arm, interval)
     counted = near_miss if clearance else None
-    _arm_pairs(table, arm, stays, run, prober, counted, PADS._replace(tolerance=pads))
-    _body_pairs(table, stays, prober, counted)
+    by_body = _by_body(stays)
+    fingers = _finger_questions(arm, by_body, grips(run.events), counted)
+    meetings = _meetings(stays)
+    bodies = _parted_questions(meetings, counted)
+    windows, times = _told(prober, fingers, bodies)
+    _arm_pairs(table, arm, by_body, iter(windows), PADS._replace(tolerance=pads))
+    _body_pairs(table, meetings, iter(times), counted)
     groups = tuple((first, second) for first, second in table.groups)
     return Plan(arrays, table.pairs(rigid=False), table.pairs(rigid=True), groups)
 
@@ -136,20 +155,21 @@ def self_pairs(table: Table, robot: Robot, arm: RobotSolids, interval: tuple[flo
                 table.add(group, finger, members, interval, ITSELF)
 
 
+def _by_body(stays: Sequence[Stay]) -> Mapping[str, Sequence[Stay]]:
+    found: dict[str, list[Stay]] = {}
+    for stay in stays:
+        found.setdefault(stay.body, []).append(stay)
+    return found
+
+
 def _arm_pairs(
     table: Table,
     arm: RobotSolids,
-    stays: Sequence[Stay],
-    run: RunRecord,
-    prober: Prober,
-    near_miss: float | None,
+    by_body: Mapping[str, Sequence[Stay]],
+    windows: Iterator[tuple[Window, ...]],
     gripping: Rule,
 ) -> None:
     """The arm against every body, wherever the body is."""
-    by_body: dict[str, list[Stay]] = {}
-    for stay in stays:
-        by_body.setdefault(stay.body, []).append(stay)
-    windows = iter(_finger_windows(arm, by_body, grips(run.events), prober, near_miss))
     for body, own in by_body.items():
         for stay in own:
             links_against(table, arm, stay)
@@ -174,31 +194,39 @@ def links_against(table: Table, arm: RobotSolids, stay: Stay) -> None:
         table.add(group, base, stay.members, interval, STRICT)
 
 
-def _finger_windows(
+def _finger_questions(
     arm: RobotSolids,
     by_body: Mapping[str, Sequence[Stay]],
     held: Sequence[Grip],
-    prober: Prober,
     near_miss: float | None,
-) -> list[tuple[Window, ...]]:
-    """Return the rules of every finger with every body, finger by finger for each body."""
-    questions = [
-        finger_windows(
-            [grip for grip in held if grip.body == body],
-            own[0].start_s,
-            own[-1].end_s,
-            near_miss,
-        )
-        for body, own in by_body.items()
-        for _ in arm.fingers
-    ]
-    sides = [(finger, own) for own in by_body.values() for finger in arm.fingers]
+) -> list[_Question[tuple[Window, ...]]]:
+    """Return what asks for the rules of every finger with every body, finger by finger for each."""
+    found: list[_Question[tuple[Window, ...]]] = []
+    for body, own in by_body.items():
+        mine = [grip for grip in held if grip.body == body]
+        stays = [(stay.members, stay.start_s, stay.end_s) for stay in own]
+        for finger in arm.fingers:
+            asking = finger_windows(mine, own[0].start_s, own[-1].end_s, near_miss)
+            found.append(_Question(asking, finger, stays))
+    return found
+
+
+def _told(
+    prober: Prober,
+    fingers: Sequence[_Question[tuple[Window, ...]]],
+    bodies: Sequence[_Question[float]],
+) -> tuple[list[tuple[Window, ...]], list[float]]:
+    """Return what questions of both kinds come to."""
+    sides = [*(one.sides for one in fingers), *(one.sides for one in bodies)]
 
     def asked(number: int, times: Array) -> Asked:
-        finger, own = sides[number]
-        return Asked(finger, [(stay.members, stay.start_s, stay.end_s) for stay in own], times)
+        return Asked(*sides[number], times)
 
-    return all_told(questions, lambda looks: _seen(prober, looks, asked))
+    return both_told(
+        [one.asking for one in fingers],
+        [one.asking for one in bodies],
+        lambda looks: _seen(prober, looks, asked),
+    )
 
 
 def _seen(
@@ -216,11 +244,9 @@ def _seen(
     return found
 
 
-def _body_pairs(
-    table: Table, stays: Sequence[Stay], prober: Prober, near_miss: float | None
-) -> None:
-    """Held and falling bodies against all others; `near_miss` None: no matter how near."""
-    meetings = [
+def _meetings(stays: Sequence[Stay]) -> list[_Meeting]:
+    """Return held and falling bodies with all others."""
+    return [
         (stay, other, interval)
         for stay in stays
         if not stay.still
@@ -229,7 +255,13 @@ def _body_pairs(
         and (interval := _common((stay.start_s, stay.end_s), (other.start_s, other.end_s)))
         and interval[1] > interval[0]
     ]
-    counted = iter(_counted(meetings, prober, near_miss))
+
+
+def _body_pairs(
+    table: Table, meetings: Sequence[_Meeting], told: Iterator[float], near_miss: float | None
+) -> None:
+    """Held and falling bodies against all others; `near_miss` None: no matter how near."""
+    counted = iter(_counted(meetings, told, near_miss))
     for stay, other, interval in meetings:
         parts = other.still and stay.parted_from(other)
         add_meeting(table, stay, other, interval, next(counted) if parts else interval)
@@ -263,31 +295,41 @@ def add_meeting(
         table.add(own, other.members, stay.members, interval, rule)
 
 
-def _counted(
-    meetings: Sequence[_Meeting], prober: Prober, near_miss: float | None
-) -> list[tuple[float, float]]:
-    """Return when the distance of moving bodies from what they come from or go to counts."""
-    parted = [meeting for meeting in meetings if meeting[0].parted_from(meeting[1])]
+def _parted_questions(
+    meetings: Sequence[_Meeting], near_miss: float | None
+) -> list[_Question[float]]:
+    """Return what asks from when and until when distances count, if any of them does."""
+    found: list[_Question[float]] = []
     if near_miss is None:
-        return [(end_s, end_s) for _, _, (_, end_s) in parted]
-    questions: list[Asking[float]] = []
-    sides: list[tuple[Stay, Stay]] = []
-    for stay, other, (start_s, end_s) in parted:
-        if stay.lie is Lie.HELD and other.body == stay.before:
-            questions.append(counted_from(start_s, end_s, near_miss))
-            sides.append((stay, other))
-        if stay.lie is Lie.HELD and other.body == stay.after:
-            questions.append(counted_until(start_s, end_s, near_miss))
-            sides.append((stay, other))
+        return found
+    for stay, other, (start_s, end_s) in meetings:
+        if stay.lie is not Lie.HELD or not stay.parted_from(other):
+            continue
+        always = [(other.members, -np.inf, np.inf)]  # times are within both but for rounding
+        if other.body == stay.before:
+            asking = counted_from(start_s, end_s, near_miss)
+            found.append(_Question(asking, stay.members, always))
+        if other.body == stay.after:
+            asking = counted_until(start_s, end_s, near_miss)
+            found.append(_Question(asking, stay.members, always))
+    return found
 
-    def asked(number: int, times: Array) -> Asked:
-        stay, other = sides[number]  # the times are within both but for rounding
-        return Asked(stay.members, [(other.members, -np.inf, np.inf)], times)
 
-    told = iter(all_told(questions, lambda looks: _seen(prober, looks, asked)))
+def _counted(
+    meetings: Sequence[_Meeting], told: Iterator[float], near_miss: float | None
+) -> list[tuple[float, float]]:
+    """Return when the distance of moving bodies from what they come from or go to counts.
+
+    Args:
+        meetings: Of all bodies.
+        told: What `_parted_questions` came to.
+        near_miss: Nearer than this is a near miss [m]; None: what counts is not wanted.
+    """
     found: list[tuple[float, float]] = []
-    for stay, other, (start_s, end_s) in parted:
-        if stay.lie is not Lie.HELD:
+    for stay, other, (start_s, end_s) in meetings:
+        if not stay.parted_from(other):
+            continue
+        if near_miss is None or stay.lie is not Lie.HELD:
             found.append((end_s, end_s))
             continue
         counts_s = min(next(told), end_s) if other.body == stay.before else start_s
