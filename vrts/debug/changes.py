@@ -5,6 +5,7 @@ from bisect import bisect_left
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from vrts.debug.conditions.hearing import Hear, nobody
 from vrts.debug.evaluating import CannotTell
 from vrts.debug.frames import Frame
 from vrts.debug.passages import Instant, executes, instant_of
@@ -19,6 +20,8 @@ from vrts.monitor.listings import value_text
 
 _SIGNAL = re.compile(r"(?:SIG|SIGNAL)?\s*\(?\s*(\d{1,5})\s*\)?", re.IGNORECASE)
 _OF_CALL = re.compile(r"(?P<name>[^@]{1,80}) @ (?P<program>[\w.]{1,40}) (?P<call>\d{1,9})")
+
+OFTEN = 256  # changes that are looked at before somebody is heard again
 
 
 class Change(NamedTuple):
@@ -70,7 +73,7 @@ def watchable(run: Run, name: str, frame: Frame | None = None) -> Watchable:
     raise CannotTell(f"there is no variable or signal `{name.strip()[:60]}` here")
 
 
-def changes(run: Run, name: str) -> list[Change]:
+def changes(run: Run, name: str, hear: Hear = nobody) -> list[Change]:
     """Return every change of what a name stands for, in order.
 
     Args:
@@ -78,22 +81,33 @@ def changes(run: Run, name: str) -> list[Change]:
         name: A variable as states list it (`x`, `$s`, `a[3]`, `#safe`), an array (`a`: any of its
             elements), a signal (`1001`, `SIG(1001)`), or what `watchable` names: `n @ twice 2` is
             the argument `n` in the second call of `twice`.
+        hear: Who is heard meanwhile.
+
+    Raises:
+        Interrupted: `hear` has heard somebody.
     """
     of_call = _OF_CALL.fullmatch(name)
     if of_call is not None:
         call = _of_call(run, of_call["name"], of_call["program"], int(of_call["call"]))
-        return sorted(call, key=_order)
+        return sorted(_heard(call, hear), key=_order)
     signal = _SIGNAL.fullmatch(name.strip())
     if signal is not None:
-        return list(_of_signal(run, int(signal[1])))
+        return list(_heard(_of_signal(run, int(signal[1])), hear))
     wanted = key(name.strip().replace(" ", ""))
     found: list[Change] = []
     for bound in run.history.memory.bound:
         if bound.name == wanted or wanted.startswith(f"{bound.name}["):
             for cell in cells_of(bound):
                 if wanted in (bound.name, cell.name):
-                    found += _of_cell(run, cell, cell.name)
+                    found += _heard(_of_cell(run, cell, cell.name), hear)
     return sorted(found, key=_order)
+
+
+def _heard(found: Iterator[Change], hear: Hear) -> Iterator[Change]:
+    for k, change in enumerate(found):
+        if k % OFTEN == 0:
+            hear()
+        yield change
 
 
 def _order(change: Change) -> tuple[Instant, str]:

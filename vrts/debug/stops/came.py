@@ -2,6 +2,7 @@
 
 from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Iterator, Sequence
+from itertools import islice
 from typing import Literal, NamedTuple
 
 import numpy as np
@@ -194,18 +195,28 @@ class Look:
         return self._traces[came.process].activation(came.instant.finished)
 
 
-def came_to(run: Run, both: Sequence[Passages], resolved: Resolved) -> list[Came]:
-    """Return the passages of a line by the robot program and the process control program."""
+def came_to(run: Run, both: Sequence[Passages], resolved: Resolved, hear: Hear) -> list[Came]:
+    """Return the passages of a line by the robot program and the process control program.
+
+    Args:
+        run: The run.
+        both: All passages of its programs.
+        resolved: The line.
+        hear: Who is heard meanwhile.
+
+    Raises:
+        Interrupted: `hear` has heard somebody.
+    """
     found: list[Came] = []
     for passages in both:
+        hear()
         numbers = np.asarray(passes(passages, resolved), np.int64)
         if len(numbers):
             finished = passages.reached[numbers]
-            times = _times(run, finished)
-            found += [
-                Came(Instant(time_s, count), passages.is_process)
-                for time_s, count in zip(times, finished.tolist(), strict=True)
-            ]
+            instants = map(Instant, _times(run, finished), finished.tolist())
+            while part := [Came(at, passages.is_process) for at in islice(instants, MOST)]:
+                hear()
+                found += part
     return sorted(found) if len(both) > 1 else found
 
 

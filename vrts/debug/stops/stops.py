@@ -57,20 +57,20 @@ class Stops:
             Interrupted: `hear` has heard somebody.
         """
         look = Look(self._run, hear)
-        found = self._found(wishes, lambda place: place.following(at, look))
+        found = self._found(wishes, lambda place: place.following(at, look), hear)
         found += [stop for stop in self._alarmed(wishes) if stop.instant > at]
         return _joined(found, min(map(_when, found), default=at))
 
     def before(self, wishes: Wishes, at: Instant, hear: Hear) -> Stop | None:
         """Return the last stop before an instant; raises as `following`."""
         look = Look(self._run, hear)
-        found = self._found(wishes, lambda place: place.before(at, look))
+        found = self._found(wishes, lambda place: place.before(at, look), hear)
         found += [stop for stop in self._alarmed(wishes) if stop.instant < at]
         return _joined(found, max(map(_when, found), default=at))
 
     def passing(self, point: Breakpoint, at: Instant, hear: Hear) -> Stop | None:
         """Return the first stop of one line after an instant; raises as `following`."""
-        wished = self._of_line(point)
+        wished = self._of_line(point, hear)
         chosen = None if wished is None else wished.place.following(at, Look(self._run, hear))
         return None if wished is None or chosen is None else wished.stop(chosen)
 
@@ -81,7 +81,7 @@ class Stops:
         look = Look(self._run, hear)
         found: list[Logged] = []
         for point in points:
-            wished, message = self._of_line(point), Message(point.log, self._expressions)
+            wished, message = self._of_line(point, hear), Message(point.log, self._expressions)
             if wished is None:
                 continue
             passed = wished.place.passed(begin, end, look)
@@ -102,9 +102,11 @@ class Stops:
         """Return the value of an expression for a program at an instant; raises as there."""
         return self._expressions.of(text).value(at, activation, hear, process=process)
 
-    def _found(self, wishes: Wishes, choose: Callable[[Place], Chosen | None]) -> list[Stop]:
-        lines = (self._of_line(point) for point in wishes.lines if not point.log)
-        watches = (self._of_watch(watch) for watch in wishes.watches)
+    def _found(
+        self, wishes: Wishes, choose: Callable[[Place], Chosen | None], hear: Hear
+    ) -> list[Stop]:
+        lines = (self._of_line(point, hear) for point in wishes.lines if not point.log)
+        watches = (self._of_watch(watch, hear) for watch in wishes.watches)
         return [
             wished.stop(chosen)
             for wished in (*lines, *watches)
@@ -115,22 +117,22 @@ class Stops:
         found = self._alarms.of(wishes.filters)
         return [Stop(alarm.instant, Why.ALARM, alarm.text, alarm=alarm) for alarm in found]
 
-    def _of_line(self, point: Breakpoint) -> _Wished | None:
+    def _of_line(self, point: Breakpoint, hear: Hear) -> _Wished | None:
         resolved = resolve(self._run.history.code, point.source, point.line)
         if resolved is None:
             return None
         key = (point.source, resolved.line, point.condition, point.hits)
         place = self._places.get(key)
         if place is None:
-            came = came_to(self._run, self._both, resolved)
+            came = came_to(self._run, self._both, resolved, hear)
             place = self._places[key] = self._place(point, came)
         return _Wished(place, point)
 
-    def _of_watch(self, watch: Watch) -> _Wished:
+    def _of_watch(self, watch: Watch, hear: Hear) -> _Wished:
         key = (watch.name, 0, watch.condition, watch.hits)
         place = self._places.get(key)
         if place is None:
-            found = changes(self._run, watch.name)
+            found = changes(self._run, watch.name, hear)
             came = [Came(c.instant, c.process, c.text, c.call) for c in found]
             place = self._places[key] = self._place(watch, came)
         return _Wished(place, watch)

@@ -42,6 +42,7 @@ from vrts.scene.checks import scene_findings, without_repeats
 from vrts.scene.model import Scene
 from vrts.scene.reading.scene_file import read_scene, read_scene_in_lab, scene_name
 from vrts.schemas import kind_of
+from vrts.validate.log.columns_file import ChosenColumns, read_columns
 
 CPU_S = 60  # of this process
 MOST = 200  # findings
@@ -102,6 +103,9 @@ def _read(source: SourceFile) -> tuple[Scene | None, Task | None, Sequence[Diagn
             return None, None, with_scenario_text(setting, source).diagnostics
         case "environment":
             return None, None, read_environment(source)[1]
+        case "columns":
+            columns = read_columns(source)
+            return None, None, () if isinstance(columns, ChosenColumns) else columns
         case _:
             return None, None, read_toml(source)[1].in_order()
 

@@ -8,9 +8,10 @@ import pytest
 
 from tests.laws import first
 from tests.unit.debug.conditions.test_expression import expression, there
+from vrts.debug.breakpoints import Breakpoint, Watch
 from vrts.debug.conditions.expression import Expressions
-from vrts.debug.conditions.hearing import nobody
-from vrts.debug.debugger import Debugger
+from vrts.debug.conditions.hearing import Interrupted, nobody
+from vrts.debug.debugger import Debugger, Why, Wishes
 from vrts.debug.evaluating import CannotTell
 from vrts.debug.messages import Message
 from vrts.debug.passages import Instant
@@ -75,3 +76,19 @@ def test_many_log_points_together_write_what_each_writes_alone() -> None:
     assert message.filled_all(instants, activations, processes) == wanted
     assert len(set(wanted)) > 10
     assert Message("here", shared).filled_all(instants, activations, processes)[-1] == "here"
+
+
+def test_who_waits_is_heard_before_places_and_changes_are_listed() -> None:
+    def pause() -> None:
+        raise Interrupted
+
+    for wish in ({"lines": [Breakpoint(1, "main.v2", 7)]}, {"watches": [Watch(1, "n")]}):
+        d = there()
+        d.wishes = Wishes(**wish)  # type: ignore[arg-type]
+        d.hear = pause
+        begin = d.at
+        with pytest.raises(Interrupted):
+            d.go_on()
+        assert d.at == begin
+        d.hear = nobody
+        assert d.go_on().why in (Why.BREAKPOINT, Why.CHANGE)

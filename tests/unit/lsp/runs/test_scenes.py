@@ -48,3 +48,12 @@ def test_files_of_other_kinds_are_read_too(tmp_path: Path) -> None:
         found = looked_at(str(tmp_path / f"{name}.toml"), "nosuch = \n")
         assert found["rows"], name
         assert found["recording"] is None
+
+
+def test_columns_are_read_as_a_comparison_reads_them() -> None:
+    text = 'time = "stamp [ms]"\njoints = ["a", "b", "c"]\n'
+    (row,) = looked_at("columns.toml", text)["rows"]
+    assert text[row[0] : row[1]].startswith('["a"')
+    assert row[3] == "V896"
+    position = 'time = "1 [ms]"\nposition = ["x [m]", "y [m]", "z [m]"]\n'
+    assert looked_at("columns.toml", position)["rows"] == []
