@@ -7,7 +7,8 @@ from vrts.live import actions, limits, settings
 from vrts.live.callers import frames, patient
 from vrts.live.editing import asked, seats
 from vrts.live.entrance import entries
-from vrts.live.front import browsers, help_socket, program_pages, socket
+from vrts.live.front import browsers, program_pages
+from vrts.live.front.sockets import help_socket, socket
 from vrts.live.people import naming
 from vrts.live.protocol import fields
 from vrts.live.rehearsing import begun, offering, talk
