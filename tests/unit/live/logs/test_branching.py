@@ -15,6 +15,7 @@ from vrts.live import actions as do
 from vrts.live.logs.branching import begin_branch
 from vrts.live.logs.logged_sessions import LogFault
 from vrts.live.logs.unfinished import Unfinished, unfinished
+from vrts.live.session.again.carrying_on import How
 from vrts.live.session.channel.messages import Act
 from vrts.live.session.live_session import Session
 from vrts.live.store import log
@@ -65,7 +66,7 @@ def gone_on(
     assert before.until_s == at_s
     assert before.session.exact
     entries, until_s = before.session.entries, before.until_s
-    return carried(driven, folder, entries, until_s, exact=True), before
+    return carried(driven, folder, entries, until_s, how=How.EXACT), before
 
 
 def same(a: Run, b: Run, at_s: float) -> None:
