@@ -89,6 +89,11 @@ def test_a_student_hands_in_sees_why_and_reads_what_graders_say(
     assert "line 11, 4.90 s: look at the height" in page.inner_text(".final")
     assert faults(view, WIDE, dark=True) == []
     _picture(view, "work-final")
+    with page.context.expect_page() as opened:
+        page.click("text=Report with comments")
+    final = opened.value
+    final.wait_for_selector("canvas")
+    assert "look at the height" in final.inner_text("body")
     assert view.messages == []
 
 
