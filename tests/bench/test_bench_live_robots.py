@@ -12,14 +12,18 @@ its sessions are processes as always.
 
 import asyncio
 import os
+import select
 import statistics
+import threading
 import time
 from pathlib import Path
+from typing import Any
 
 import psutil
 import pytest
 
-from tests.bench.live_stage import LOOP, Stage
+from tests.bench.live_socket import LiveSocket
+from tests.bench.live_stage import LOOP, Operator, Stage
 from tests.bench.machine import used
 from tests.bench.test_bench_live import answered
 from tests.bench.usual import slowness
@@ -55,10 +59,59 @@ def all_of(server: psutil.Process) -> list[psutil.Process]:
     return [server, *server.children(recursive=True)]
 
 
+class Attending(Stage):
+    """A stage whose operators read what comes while others are still on their way, as pages do.
+
+    Who reads nothing answers no ping, and the server ends the connection.
+    """
+
+    def __init__(self, folder: Path, rooms: int, *, module: str) -> None:
+        """Begin with an operator in each room."""
+        self._poll = select.epoll()
+        self._links: dict[int, LiveSocket] = {}
+        self._ends = threading.Event()
+        self._reader = threading.Thread(target=self._read)
+        self._reader.start()
+        try:
+            super().__init__(folder, rooms, moving=False, module=module)
+        except BaseException:
+            self._end()
+            raise
+
+    def __enter__(self) -> "Attending":
+        """Give the stage."""
+        return self
+
+    def leave(self, link: LiveSocket) -> None:
+        """Have the thread read one no more: it is read by who measures."""
+        self._poll.unregister(link)
+
+    def __exit__(self, *about: Any) -> None:
+        """End the reading first."""
+        self._end()
+        super().__exit__(*about)
+
+    def _operator(self, number: int, room: str) -> Operator:
+        operator = super()._operator(number, room)
+        self._links[operator.socket.fileno()] = operator.socket
+        self._poll.register(operator.socket, select.EPOLLIN)
+        return operator
+
+    def _read(self) -> None:
+        while not self._ends.is_set():
+            for number, _ in self._poll.poll(0.2):
+                self._links[number].take()
+
+    def _end(self) -> None:
+        self._ends.set()
+        self._reader.join()
+
+
 def test_all_awake_and_some_at_work(tmp_path: Path) -> None:
     slow = slowness()
-    with Stage(tmp_path, ROOMS, moving=False, module="tests.bench.live_robots_server") as stage:
+    with Attending(tmp_path, ROOMS, module="tests.bench.live_robots_server") as stage:
         measured, *others = stage.operators
+        stage.leave(measured.socket)
         time.sleep(REST_S)
         begin = used(stage.process)
         time.sleep(REST_S)
