@@ -30,7 +30,7 @@ Examples:
 def command(folder: Path, name: str, output: Path | None, server: Path) -> None:
     """Pack all that a course keeps of a person.
 
-    That is what `vrts serve --export-user` packs, and besides every program that was handed in,
+    That is what `vrts serve --export-user` packs, and every program that was handed in,
     what was published for them, and pages about programs. The server may run meanwhile.
     """
     from vrts.base.safe_names import safe
