@@ -70,6 +70,7 @@ def test_a_student_hands_in_sees_why_and_reads_what_graders_say(
     page.click("dialog .main")
     page.wait_for_selector(".attempt .mark")
     assert page.inner_text(".attempt .mark") == "7.0 of 10.0"
+    assert "7.0 of 10.0, attempt 1" in page.inner_text(".facts")
     page.click(".losses summary")
     assert "can1 is 59 mm too low" in page.inner_text(".losses ol")
     for dark in (False, True):
@@ -95,6 +96,9 @@ def test_a_student_hands_in_sees_why_and_reads_what_graders_say(
     final.wait_for_selector("canvas")
     assert "look at the height" in final.inner_text("body")
     assert view.messages == []
+    page.click("text=Work on it with my robot")
+    page.wait_for_url("**/?room=*")
+    page.wait_for_selector("#room")
 
 
 def _publish(home: Path) -> None:

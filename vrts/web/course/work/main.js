@@ -21,6 +21,7 @@ let shown = ""; // what is drawn, as text
 const texts = new Map();
 let next = 0;
 let room = ""; // one that one may enter: programs are asked for through it
+let robots = false; // whether the course has robots of one's own
 
 function chosen() {
   const id = decodeURIComponent(location.hash.slice(1));
@@ -88,14 +89,37 @@ function one(work) {
   if (work.late) add("Late", `handing in now is ${work.late}`, "late");
   add("Attempts", work.most === null ? "as many as you like" : `${work.left} of ${work.most} left`);
   add("What counts", work.best ? "your best attempt" : "your latest attempt");
+  const marks = (work.attempts ?? []).filter(({ mark }) => mark);
+  if (marks.length) {
+    const best = marks.reduce((a, b) => (Number(b.mark) > Number(a.mark) ? b : a));
+    const said = (/** @type {{mark?: string, total?: string, number: number}} */ { mark, total, number }) => `${mark} of ${total}, attempt ${number}`;
+    add("Public mark", work.best ? said(best) : said(marks[0]));
+    if (!work.best && best !== marks[0]) add("Best so far", said(best));
+  }
   if (work.team) add("Team", all?.team ? `you hand in together: ${all.team}` : "teams hand in together, and you are in none");
   if (work.refusal) add("Closed", [work.refusal, work.refusal_help].filter(Boolean).join("; "), "closed");
   byId("one").replaceChildren(
-    make("section", { "aria-labelledby": "work-title" }, make("h2", { id: "work-title", text: work.title }), facts, handing(work)),
+    make("section", { "aria-labelledby": "work-title" }, make("h2", { id: "work-title", text: work.title }), facts, ...robot(work), handing(work)),
     ...finalOf(work),
     make("section", { "aria-labelledby": "work-attempts" }, make("h3", { id: "work-attempts", text: "Your attempts" }), ...attemptList(work.id, work.attempts ?? [])),
     words(work),
   );
+}
+
+/** Return the way to one's own robot in the scene of an assignment, where there are such robots. @param {Work} work */
+function robot(work) {
+  if (!robots || !all?.hands_in) return [];
+  const open = button("Work on it with my robot", async () => {
+    try {
+      const answer = await fetch("/course/robots", { method: "POST", headers: { "content-type": "application/json" }, body: JSON.stringify({ scene: work.id }) });
+      const told = await answer.json();
+      if (!answer.ok) throw new Error(told.help ? `${told.text}: ${told.help}` : told.text);
+      location.assign(`/?${new URLSearchParams({ room: told.room })}`);
+    } catch (problem) {
+      say(/** @type {Error} */ (problem).message, true);
+    }
+  }, { "data-keep": "robot" });
+  return [make("div", { class: "row" }, open)];
 }
 
 /** Return what one hands in by. @param {Work} work */
@@ -193,6 +217,10 @@ window.addEventListener("focus", () => void load());
 applyTheme(chosenTheme());
 void fetch("/me").then(async (answer) => {
   behind = (Date.parse(answer.headers.get("date") ?? "") - Date.now()) / 1000 || 0;
-  if (answer.ok) room = (await answer.json()).rooms[0]?.id ?? "";
+  if (answer.ok) {
+    const me = await answer.json();
+    room = me.rooms[0]?.id ?? "";
+    robots = me.robots;
+  }
   return load();
 });
