@@ -52,6 +52,18 @@ task = "{task}"
 # opens = 2026-10-01T08:00:00+02:00
 # attempts = 3
 
+# Robots of their own: how many, and when they fall asleep. What is left out is as usual.
+# [robots]
+# awake = 40  # at once, of everybody together
+# empty_minutes = 5  # after which a robot sleeps where nobody is
+
+# Times that students book for a shared robot.
+# [slots]
+# room = "Lab"
+# time_zone = "Europe/Berlin"
+# minutes = 30
+# hours = "08:00-18:00"
+
 # Log-in by a provider of OpenID Connect. Without this section the server begins no connection.
 # [login]
 # issuer = "https://id.example.org/realms/school"
