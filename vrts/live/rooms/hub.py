@@ -46,10 +46,6 @@ class Sleeping(Protocol):
         """Have a robot go on now, or as soon as there is room for it."""
         ...
 
-    async def woken(self, room: Room, account: Account) -> None:
-        """Have a robot go on now, and wait for that."""
-        ...
-
 
 class Hub:
     """Owns the rooms. Everything in it happens in the event loop's thread."""

@@ -35,6 +35,7 @@ from vrts.live.rooms.keeping import LOG_FULL, LOG_HELP, control_changed, say
 from vrts.live.rooms.member import Member
 from vrts.live.rooms.noting import put_note
 from vrts.live.rooms.own.hands import leads, lower_hand, point, raise_hand
+from vrts.live.rooms.own.sleeping import COMES
 from vrts.live.rooms.private.branching import branch, end_earlier
 from vrts.live.rooms.process import SessionProcess
 from vrts.live.rooms.resting.falling import hold
@@ -69,7 +70,6 @@ async def obey(hub: Hub, sessions: Sessions, member: Member, message: FromClient
         room.used = now
     match message:
         case Command():
-            await _awake(hub, room, member)
             _command(hub, sessions, room, member, message, now)
         case Join():
             raise NotObeyed("joined", "this connection has joined already")
@@ -120,14 +120,17 @@ async def obey(hub: Hub, sessions: Sessions, member: Member, message: FromClient
             await supervise(hub, sessions, room, member, message)
 
 
-async def _awake(hub: Hub, room: Room, member: Member) -> None:
-    """Have a robot that sleeps wake before it is told anything.
+def _wake(hub: Hub, sessions: Sessions, room: Room, member: Member) -> None:
+    """Have a room that sleeps, or is about to, go on for a command.
 
     Raises:
-        NotObeyed: It cannot now.
+        NotObeyed: It cannot now: its commands do not wait then.
     """
-    if room.asleep and hub.sleeping is not None:
-        await hub.sleeping.woken(room, member.account)
+    if room.own is not None and hub.sleeping is not None:
+        hub.sleeping.wake(room, member.account)
+        if room.asleep:  # there is no place for one more that is awake
+            raise NotObeyed("asleep", "" if room.waits is None else room.waits.why, COMES)
+    sessions.wake(room)
 
 
 def _ask_for_control(hub: Hub, room: Room, member: Member, now: float) -> None:
@@ -175,8 +178,8 @@ def _command(
         raise NotObeyed("log", LOG_FULL, LOG_HELP)
     kind = "keep" if isinstance(action, Keep) else str(action.__struct_config__.tag)
     if room.rest != "awake":
+        _wake(hub, sessions, room, member)
         hold(room, Held(kind, member, message.number, action))
-        sessions.wake(room)
         return
     process = _running(room)
     ref = process.act(f"p{member.account.id}", action)

@@ -4,7 +4,6 @@ A robot sleeps only while its arm rests and no program runs. A program that runs
 does anything has its time, and is stopped then.
 """
 
-import asyncio
 from collections.abc import Iterable
 from typing import Final
 
@@ -23,8 +22,6 @@ from vrts.live.rooms.sessions import Sessions
 from vrts.live.store.accounts import Account
 
 FRESH_S: Final = 60.0  # a robot that was used so lately makes room for no other one
-WAKE_S: Final = 20.0  # how long a command waits for a robot that wakes
-LOOK_S: Final = 0.02
 ASLEEP: Final = NoSession(
     "this robot is asleep", "it goes on where it was as soon as you wake it", ("wake",)
 )
@@ -81,23 +78,6 @@ class Sleeper:
             help_ = "wait a few seconds, then wake it"
             raise NotObeyed("rate", "you wake many robots at once", help_)
         self._wake_or_wait(room)
-
-    async def woken(self, room: Room, account: Account) -> None:
-        """Have a robot go on now, and wait for that.
-
-        Raises:
-            NotObeyed: It cannot now, or does not in time.
-        """
-        self.wake(room, account)
-        if room.id in self._waiting:
-            why = "" if room.waits is None else room.waits.why
-            raise NotObeyed("asleep", why, COMES)
-        until = steady() + WAKE_S
-        while room.rest in ("waking", "awake") and steady() < until and room.id in self._hub.rooms:
-            if room.process is not None and room.process.ready:
-                return
-            await asyncio.sleep(LOOK_S)
-        raise NotObeyed("asleep", "the robot has not woken yet", "try again in a moment")
 
     async def beat(self) -> None:
         """Put to sleep who needs nothing, and wake who waits; called about once a second."""
