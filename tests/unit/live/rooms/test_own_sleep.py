@@ -7,10 +7,14 @@ from typing import Any
 
 import pytest
 
+from vrts.live.actions import Typed
 from vrts.live.places import places_of
+from vrts.live.protocol.from_anybody import Command
 from vrts.live.refusal import NotObeyed
 from vrts.live.rooms.entering import room_for
 from vrts.live.rooms.hub import Hub, may_enter, may_see
+from vrts.live.rooms.member import Member
+from vrts.live.rooms.obeying import obey
 from vrts.live.rooms.opening import make_room
 from vrts.live.rooms.own import sleeping
 from vrts.live.rooms.own.limits import OwnLimits
@@ -130,6 +134,34 @@ def test_the_robot_that_was_used_longest_ago_makes_room_unless_it_works(tmp_path
         assert bo.asleep
         assert bo.waits is not None
         assert bo.waits.why == sleeping.ALL_BUSY.format(2)
+
+    within(tmp_path, work)
+
+
+def test_a_command_wakes_a_robot_and_waits_for_it_or_is_told_why_not(tmp_path: Path) -> None:
+    async def work(course: Course) -> None:
+        people = [await course.somebody(name) for name in ("Anna", "Bo", "Cy")]
+        anna, bo, cy = [await course.robot(one) for one in people]
+        ready(anna, "running")
+        ready(bo, "running")
+        course.hub.sleeping = course.sleeper
+        member = Member(people[2], cy.id)
+        cy.members[member.id] = member
+        cy.control.request(member.id, 0.0)
+
+        async def command(number: int) -> None:
+            given = Command(cy.control.lease, number, Typed("WHERE"))
+            await obey(course.hub, course.sessions, member, given)
+
+        with pytest.raises(NotObeyed, match="all 2 robots"):
+            await command(1)
+        assert (cy.asleep, cy.held) == (True, [])
+        ready(bo, "stopped")
+        course.sleeper.wake(cy, people[2])  # as soon as it can: `bo` gives way
+        await course.sleeper.beat()
+        cy.rest = "waking"
+        await command(2)
+        assert [held.of for held in cy.held] == [2], "nobody waits in the server for it"
 
     within(tmp_path, work)
 
