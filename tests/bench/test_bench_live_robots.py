@@ -124,11 +124,13 @@ def test_all_awake_and_some_at_work(tmp_path: Path) -> None:
         measured.socket.send("rate", rate=50)
         time.sleep(REST_S)
         begin = used(stage.process)
-        times = sorted(answered(measured, n) for n in range(COMMANDS))
+        given = [answered(measured, n) for n in range(COMMANDS)]
+        times = sorted(given)
         spent = used(stage.process).since(begin)
         working = pss(all_of(stage.process))
     slow = 0.5 * (slow + slowness())
     p95 = times[int(0.95 * COMMANDS)]
+    print("\nin order [ms]: " + " ".join(f"{one:.0f}" for one in given))
     print(
         f"\n{ROOMS} rooms awake: {resting:.0f} MB (PSS);"
         f" server {100 * rest.server:.0f} %, sessions {100 * rest.sessions / ROOMS:.2f} % of a core"
