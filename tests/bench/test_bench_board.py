@@ -50,7 +50,9 @@ def test_first_screen_of_300_students(tmp_path: Path) -> None:
             page = context.new_page()
             page.goto(f"http://{server.host}/course/board", wait_until="commit")
             took.append(float(page.evaluate(READY)))
-            assert page.locator("#marks tbody tr").count() == STUDENTS
+            page.wait_for_function(
+                f"document.querySelectorAll('#marks tbody tr').length === {STUDENTS}"
+            )
             context.close()
             begun = perf_counter()
             told = server.request("GET", "/course/board/now", cookie=cookie, accept_encoding="gzip")
