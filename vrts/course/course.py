@@ -10,6 +10,7 @@ from vrts.live.entrance.provider.settings import ProviderSettings
 from vrts.live.rooms.own.limits import OwnLimits
 
 COURSE_FILE: Final = "course.toml"
+HANDED_IN: Final = "handed-in"  # in the course's folder
 
 Rank = Literal["teacher", "assistant", "student"]
 
@@ -62,4 +63,4 @@ class Course:
     @property
     def handed_in(self) -> Path:
         """The folder into which hand-ins are written: one for each assignment in it."""
-        return self.folder / "handed-in"
+        return self.folder / HANDED_IN

@@ -3,14 +3,15 @@
 No scene is read, so the server needs no arm for it. Faults of a task are told by who marks.
 """
 
+from contextlib import suppress
 from datetime import datetime
 from typing import NamedTuple
 
 from vrts.base.toml.reading import read_toml
 from vrts.check.task.late_file import read_exam, read_keep, read_late
 from vrts.check.task.late_rules import Keep, LateRules
-from vrts.course.course import Assignment
-from vrts.pipeline.files import TASK_FILE, read_toml_source
+from vrts.course.course import Assignment, Course
+from vrts.pipeline.files import TASK_FILE, CannotRead, read_toml_source
 
 
 class Facts(NamedTuple):
@@ -52,3 +53,17 @@ def facts_of(assignment: Assignment) -> Facts:
     if exam is not None:
         rules, keep = exam.rules, exam.keep
     return Facts(assignment, title, rules, keep, text)
+
+
+def facts_of_all(course: Course) -> list[Facts]:
+    """Return what is known of all assignments; one whose task is gone is left out."""
+    found: list[Facts] = []
+    for one in course.assignments:
+        with suppress(CannotRead):
+            found.append(facts_of(one))
+    return found
+
+
+def unix(time: datetime | None) -> float:
+    """Return a time as pages are told it: Unix time [s]; 0: there is none."""
+    return 0.0 if time is None else time.timestamp()

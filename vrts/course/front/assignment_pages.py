@@ -4,7 +4,6 @@ import asyncio
 from collections import Counter
 from collections.abc import Sequence
 from contextlib import suppress
-from datetime import datetime
 from fractions import Fraction
 from pathlib import Path
 from typing import Final
@@ -15,7 +14,7 @@ from starlette.routing import BaseRoute, Route
 
 from vrts.check.task.late_rules import Keep
 from vrts.course.course import Assignment, Course
-from vrts.course.facts import Facts, facts_of
+from vrts.course.facts import Facts, facts_of, unix
 from vrts.course.front.own_page import OwnPage
 from vrts.course.front.told import (
     AllWorkTold,
@@ -282,9 +281,9 @@ class AssignmentPages:
         return WorkTold(
             assignment.id,
             facts.title,
-            _unix(facts.opens),
-            _unix(facts.due),
-            _unix(stands.closes),
+            unix(facts.opens),
+            unix(facts.due),
+            unix(stands.closes),
             facts.keep is Keep.BEST,
             facts.rules is not None and facts.rules.is_exam,
             assignment.team,
@@ -326,10 +325,6 @@ def _sees(account: Account, person: Person | None, facts: Facts, at: float) -> b
     """Return whether somebody sees an assignment: who teaches does, also before it opens."""
     teaches = account.supervisor or (person is not None and person.rank != "student")
     return teaches or opened(facts, at)
-
-
-def _unix(time: datetime | None) -> float:
-    return 0.0 if time is None else time.timestamp()
 
 
 def _shown(fraction: str | None) -> str:

@@ -14,7 +14,7 @@ from vrts.course.board.board import Column, Presence, board, work_of
 from vrts.course.board.changed import changed
 from vrts.course.board.table import marks_csv
 from vrts.course.board.told import BoardTold, WaitTold
-from vrts.course.facts import Facts, facts_of
+from vrts.course.facts import Facts, facts_of_all, unix
 from vrts.course.front.own_page import OwnPage
 from vrts.course.people.watching import WatchedPeople
 from vrts.desk.front.events import Events
@@ -24,6 +24,7 @@ from vrts.live.front.http import Pages
 from vrts.live.front.static_files import content
 from vrts.live.lasting.clock import wall
 from vrts.live.rooms.hub import Hub
+from vrts.live.rooms.own.hands import shown
 from vrts.live.store.accounts import ALL_ROOMS, Account
 from vrts.live.store.course.attempts import Attempt, all_attempts, attempts_of, state_of
 from vrts.live.store.course.people import Person, people, person_of
@@ -131,7 +132,7 @@ class BoardPages:
             now, title = wall(), course.title
 
             def make() -> BoardTold:
-                columns = [_column(facts_of(one)) for one in course.assignments]
+                columns = [_column(one) for one in facts_of_all(course)]
                 return board(title, columns, known, attempts, presence, now)
 
             told = await asyncio.to_thread(make)
@@ -147,6 +148,12 @@ class BoardPages:
             for one in here
             if one.hand
         ]
+        by = {room.id: room.own.hand_by or 0 for room in hub.rooms.values() if room.own}
+        raised, _ = shown(hub)  # in robots of their own, the one that waits longest first
+        hands += [
+            WaitTold(by[one.room], one.name, "hand", one.since, one.room, one.text)
+            for one in raised
+        ]
         return Presence(rooms, hands)
 
     async def _teacher(self, request: Request) -> Account | None:
@@ -160,6 +167,5 @@ def _rows(connection: Connection) -> tuple[list[Person], list[Attempt]]:
 
 
 def _column(facts: Facts) -> Column:
-    opens = 0.0 if facts.opens is None else facts.opens.timestamp()
-    due = 0.0 if facts.due is None else facts.due.timestamp()
-    return Column(facts.assignment.id, facts.title, opens, due, facts.keep is Keep.BEST)
+    id_, opens, due = facts.assignment.id, unix(facts.opens), unix(facts.due)
+    return Column(id_, facts.title, opens, due, facts.keep is Keep.BEST)

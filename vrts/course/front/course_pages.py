@@ -2,15 +2,12 @@
 
 import asyncio
 from collections.abc import Sequence
-from contextlib import suppress
-from datetime import datetime
 
 from starlette.requests import Request
 from starlette.responses import Response
 from starlette.routing import BaseRoute, Route
 
-from vrts.course.course import Course
-from vrts.course.facts import Facts, facts_of
+from vrts.course.facts import facts_of_all, unix
 from vrts.course.front.told import AssignmentTold, CourseTold
 from vrts.course.handing.standing import opened
 from vrts.course.people.watching import WatchedPeople
@@ -20,7 +17,6 @@ from vrts.live.front.http import Pages
 from vrts.live.lasting.clock import wall
 from vrts.live.rooms.hub import Hub
 from vrts.live.store.course.people import person_of
-from vrts.pipeline.files import CannotRead
 
 
 class CoursePages:
@@ -53,24 +49,11 @@ class CoursePages:
         person = await self._hub.database.do(lambda c: person_of(c, account.id))
         teaches = account.supervisor or (person is not None and person.rank != "student")
         now, course = wall(), self._people.course
-        every = await asyncio.to_thread(_all_facts, course)
+        every = await asyncio.to_thread(facts_of_all, course)
         told = tuple(
-            AssignmentTold(one.assignment.id, one.title, _unix(one.opens), _unix(one.due))
+            AssignmentTold(one.assignment.id, one.title, unix(one.opens), unix(one.due))
             for one in every
             if teaches or opened(one, now)
         )
         rank, team = ("", "") if person is None else (person.rank, person.team)
         return as_json(CourseTold(course.title, rank, team, told))
-
-
-def _all_facts(course: Course) -> list[Facts]:
-    """Return what is known of the assignments; one whose task is gone is left out."""
-    found: list[Facts] = []
-    for one in course.assignments:
-        with suppress(CannotRead):
-            found.append(facts_of(one))
-    return found
-
-
-def _unix(time: datetime | None) -> float:
-    return 0.0 if time is None else time.timestamp()

@@ -6,16 +6,16 @@ from typing import Final, NamedTuple
 
 import msgspec
 
+from vrts.course.course import HANDED_IN
 from vrts.course.handing.deposit import PENDING, HandIn
 from vrts.course.handing.names import folder_of
+from vrts.course.handing.published import PUBLISHED
 from vrts.live.personal.names import Names, accounts_of
 from vrts.live.store.course.attempts import all_attempts, attempts_of
 from vrts.live.store.course.people import person_of
 from vrts.live.store.database import Connection
 
-HANDED_IN: Final = "handed-in"  # in the course's folder
-PUBLISHED: Final = "published"
-REPORTS: Final = "handing"  # in the server's folder
+REPORTS: Final = "handing"  # in the server's folder, as `front/assignment_pages` has it
 
 
 class Whose(NamedTuple):

@@ -9,8 +9,10 @@ from typing import NamedTuple
 
 import msgspec
 
+from vrts.course.course import HANDED_IN
 from vrts.course.handing.deposit import PENDING, HandIn
-from vrts.course.personal.files import HANDED_IN, PUBLISHED, Whose, files_of, whose
+from vrts.course.handing.published import PUBLISHED
+from vrts.course.personal.files import Whose, files_of, whose
 from vrts.live.personal.purging import Forgotten, purge
 from vrts.live.settings import DATABASE
 from vrts.live.store.database import read_only
