@@ -170,4 +170,11 @@ COURSE: tuple[Patch, ...] = (
         "        if False:",
         (PROVIDER,),
     ),
+    Patch(
+        "the board does not tell of hands that are raised in robots of their own",
+        "vrts/course/front/board_pages.py",
+        "            for one in raised\n",
+        "            for one in raised[:0]\n",
+        ("tests/unit/course/robots/test_own_robots.py",),
+    ),
 )

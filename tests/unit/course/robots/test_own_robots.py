@@ -58,6 +58,10 @@ def test_a_student_has_a_robot_that_nobody_else_enters_and_that_outlasts_the_ser
     boss = server.join(boss_cookie)
     (hand,) = boss.wait("hands", lambda m: m["hands"] != [])["hands"]
     assert (hand["room"], hand["name"], hand["place"]) == (room, "Cy Dahl", 1)
+    board = server.request("GET", "/course/board/now", cookie=boss_cookie).json
+    (waits,) = board["waits"]
+    told = (waits["name"], waits["room"], waits["text"])
+    assert told == ("Cy Dahl", room, "it does not close"), "and the board says so"
     number = anna.came[[m["type"] for m in anna.came].index("snapshot")]["session"]
     seen = server.request("GET", f"/scene/{room}/{number}", cookie=boss_cookie)
     assert seen.status in (403, 404), "nobody looks in unseen"
