@@ -14,6 +14,7 @@ from vrts.debug.debugger import Debugger
 from vrts.debug.evaluating import CannotTell, evaluate
 from vrts.debug.frames import frames, seen_by
 from vrts.engine.controller import execute
+from vrts.engine.run import Run
 from vrts.lang.dialect import DIALECTS
 
 TEXT = """.PROGRAM main()
@@ -77,8 +78,13 @@ NAMES, CONSTANTS, FUNCTIONS, OPERATORS = (row.split() for row in WORDS.strip().s
 
 
 @cache
+def ran() -> Run:
+    return execute(compiled(TEXT, "val2+"), robot_alone())
+
+
 def there() -> Debugger:
-    return Debugger(execute(compiled(TEXT, "val2+"), robot_alone()), DIALECTS["val2+"])
+    """Return a debugger of one's own: wherever others went, it stands before the first step."""
+    return Debugger(ran(), DIALECTS["val2+"])
 
 
 def expression(chance: random.Random, depth: int) -> str:
