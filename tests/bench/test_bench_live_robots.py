@@ -97,6 +97,9 @@ class Attending(Stage):
         self._poll.register(operator.socket, select.EPOLLIN)
         return operator
 
+    def _epoch(self, link: LiveSocket, lease: str) -> float:
+        return 0.0  # nobody asks for it, and it takes seconds where there are many
+
     def _read(self) -> None:
         while not self._ends.is_set():
             for number, _ in self._poll.poll(0.2):

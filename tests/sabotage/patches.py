@@ -4,6 +4,7 @@ from tests.sabotage.certified import CERTIFIED
 from tests.sabotage.course import COURSE
 from tests.sabotage.patch import Patch
 from tests.sabotage.proofs import PROOFS
+from tests.sabotage.waiting import WAITING
 
 EXAMPLE = "tests/golden/test_example_01.py"
 ENGINE = "tests/unit/engine"
@@ -37,6 +38,7 @@ __all__ = ["PATCHES", "Patch"]
 
 PATCHES: tuple[Patch, ...] = (
     *COURSE,
+    *WAITING,
     Patch(
         "an editor that takes no snippets is sent some",
         "vrts/lsp/server/helping.py",

@@ -21,6 +21,7 @@ from vrts.live.nursery.kept import KeptScenes
 from vrts.live.nursery.line import ANSWER, BEGUN, ENDED, LONGEST, NOT_BEGUN, STREAMS, Order
 from vrts.live.nursery.warming import warm
 from vrts.live.session.known import Known
+from vrts.live.session.marks.turns import FileTurns, at_once
 from vrts.live.session.process import serve as serve_session
 
 FAILED: Final = 1  # exit status
@@ -36,7 +37,8 @@ def serve(line: socket.socket) -> int:
     if threads() != 1:
         sys.stderr.write("sessions cannot be forked from a process with threads\n")
         return FAILED
-    _Nursery(line).work()
+    with tempfile.TemporaryFile() as turns:
+        _Nursery(line, turns.fileno()).work()
     return 0
 
 
@@ -49,8 +51,9 @@ def threads() -> int:
 class _Nursery:
     """Knows the sessions that it has forked."""
 
-    def __init__(self, line: socket.socket) -> None:
+    def __init__(self, line: socket.socket, turns: int) -> None:
         self._line = line
+        self._turns = turns  # descriptor of the file at which sessions have turns
         self._ready = select.poll()
         self._ready.register(line, select.POLLIN)
         self._scenes = KeptScenes()
@@ -92,7 +95,7 @@ class _Nursery:
             self._tell(NOT_BEGUN, number, problem.errno or 0)
             return
         if pid == 0:
-            _be_session(streams, known)
+            _be_session([*streams, self._turns], known)
         ends = os.pidfd_open(pid)
         self._sessions[ends] = (number, pid)
         self._ready.register(ends, select.POLLIN)
@@ -120,9 +123,9 @@ def _be_session(streams: list[int], known: Known | None) -> NoReturn:
         os.setsid()
         for number, stream in enumerate(streams):
             os.dup2(stream, number)
-        os.closerange(STREAMS, os.sysconf("SC_OPEN_MAX"))
+        os.closerange(len(streams), os.sysconf("SC_OPEN_MAX"))
         signal.signal(signal.SIGTERM, signal.SIG_DFL)
-        status = serve_session(0, 1, known=known)
+        status = serve_session(0, 1, known=known, turns=FileTurns(STREAMS, at_once()))
     except BaseException:  # whatever it is goes to its errors; the nursery goes on
         traceback.print_exc()
     finally:

@@ -43,6 +43,7 @@ REMEMBERED: Final = 4000  # reliable messages for those who come back
 REMEMBERED_BYTES: Final = 4 * 1024 * 1024
 REMEMBERED_S: Final = 600.0  # longer than the place of who is away is kept
 Rest = Literal["awake", "falling", "asleep", "waking"]  # whether it has a session, or had one
+UNWATCHED: Final = 10  # pose frames a second of an arm that moves where nobody is
 PANIC: Final = b'{"type":"panic"}'  # as the log has it
 
 
@@ -194,9 +195,9 @@ class Room:
         return self.own is not None or not any(m.door for m in self.members.values())
 
     def set_pace(self) -> None:
-        """Have as many pose frames made as the fastest wants."""
-        wanted = (m.rate for m in self.members.values() if m.door is not None)
-        pace = max(FULL_RATE, *wanted, 0)
+        """Have as many pose frames made as the fastest wants, few where nobody looks."""
+        wanted = [m.rate for m in self.members.values() if m.door is not None]
+        pace = max(FULL_RATE, *wanted) if wanted else UNWATCHED
         seldom, process = self.seldom, self.process
         if process is not None and process.ready and (pace, seldom) != (self.pace, process.seldom):
             self.pace = pace

@@ -42,6 +42,7 @@ from vrts.live.session.known import Known, read
 from vrts.live.session.live_session import Session
 from vrts.live.session.looking.looker import Looker
 from vrts.live.session.marks.checker import Checker
+from vrts.live.session.marks.turns import Turns
 from vrts.live.session.setting import scene_sha256
 from vrts.live.session.sleeping.falling import Falling
 from vrts.live.session.sleeping.state import Unfit, woken
@@ -64,6 +65,7 @@ def serve(
     descriptor_out: int,
     clock: Clock = time.monotonic,
     known: Known | None = None,
+    turns: Turns | None = None,
 ) -> int:
     """Be the process of a session until it is told to stop; return the exit status.
 
@@ -72,10 +74,11 @@ def serve(
         descriptor_out: Where messages go.
         clock: Only goes forward [s].
         known: The scene and task that it will be told, if they are read already.
+        turns: At checks, with other sessions; None: it checks when it will.
     """
     inbox, outbox = Inbox(descriptor_in), Outbox(descriptor_out)
     try:
-        return _serve(inbox, outbox, descriptor_in, clock, known)
+        return _serve(inbox, outbox, descriptor_in, clock, known, turns)
     except ServerGone:
         return SERVER_GONE
     except Unreadable as problem:
@@ -84,7 +87,14 @@ def serve(
         return _failed(outbox, "the session needs more memory than it may use", NO_MEMORY)
 
 
-def _serve(inbox: Inbox, outbox: Outbox, readable: int, clock: Clock, known: Known | None) -> int:
+def _serve(
+    inbox: Inbox,
+    outbox: Outbox,
+    readable: int,
+    clock: Clock,
+    known: Known | None,
+    turns: Turns | None,
+) -> int:
     select.select([readable], [], [], FIRST)
     orders = inbox.orders()
     start = orders.pop(0) if orders else None
@@ -116,7 +126,7 @@ def _serve(inbox: Inbox, outbox: Outbox, readable: int, clock: Clock, known: Kno
     outbox.send(Ready(start.session, session.epoch_s, arm, scene, title, carried_s, anew, *said))
     tidying = Tidying()
     with (
-        closing(Checker(session)) as checker,
+        closing(Checker(session, turns=turns)) as checker,
         closing(Looker(session, outbox.send)) as looker,
         closing(Ways(session, outbox.send, clock)) as ways,
     ):

@@ -3,12 +3,14 @@
 import math
 import os
 import sys
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 STATE_S = 0.01  # [s] of processor for a state of a future: 30 times what is usual [assumed]
 EXECUTION_S = 1.0  # [s] for a changed program: 50 times what is usual [assumed]
 STATE_BYTES = 40_000  # four times what is usual [assumed]
+GROUP = Path("/proc/self/autogroup")  # of Linux
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,7 +56,7 @@ def impose(limits: Limits) -> None:
         return  # no such limits there: the watching parent is all there is
     import resource  # Windows has none
 
-    os.nice(limits.niceness)
+    give_way(limits.niceness)
     memory = _reserved() + limits.memory
     bounds = (
         (resource.RLIMIT_CPU, limits.cpu_s, limits.cpu_s + 2),  # a signal first, which tells why
@@ -83,6 +85,18 @@ def for_the_next(cpu_s: int) -> None:
     soft = int(used.ru_utime + used.ru_stime) + cpu_s + 1
     top = soft if hard == resource.RLIM_INFINITY else min(soft, hard)
     resource.setrlimit(resource.RLIMIT_CPU, (top, hard))
+
+
+def give_way(niceness: int) -> None:
+    """Let others have the processor first, for good.
+
+    Where Linux groups processes by session, niceness counts within a group only, so the group of
+    a process that has a session of its own gets it too.
+    """
+    os.nice(niceness)
+    if niceness and os.getsid(0) == os.getpid():
+        with suppress(OSError):  # there are no groups, or another one was set a moment ago
+            GROUP.write_text(str(niceness))
 
 
 def _reserved() -> int:

@@ -91,7 +91,10 @@ def test_sessions_are_forked_and_end_as_processes_of_their_own(
         other = await second.begin()
         assert other.ppid() == nursery.pid
         assert second.drawn == first.drawn
-        assert _streams(other) == {0: "pipe", 1: "pipe", 2: str(tmp_path / "second/stderr.txt")}
+        streams = _streams(other)
+        turns = streams.pop(3)
+        assert streams == {0: "pipe", 1: "pipe", 2: str(tmp_path / "second/stderr.txt")}
+        assert _streams(process)[3] == turns, "both take turns at one file"
         other.kill()
         assert await second.end() == "its process was killed by SIGKILL"
 

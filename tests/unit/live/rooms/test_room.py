@@ -1,16 +1,20 @@
 """What a room remembers for those who come back."""
 
 from pathlib import Path
+from typing import cast
 
+from vrts.live.door import Door
 from vrts.live.lasting.clock import steady
 from vrts.live.places import places_of
 from vrts.live.protocol.from_server import Chat
 from vrts.live.rooms.control import ControlRight
 from vrts.live.rooms.entering import settle
 from vrts.live.rooms.hub import Hub
-from vrts.live.rooms.member import Member
+from vrts.live.rooms.member import FULL_RATE, Member
+from vrts.live.rooms.process import SessionProcess
 from vrts.live.rooms.pulse import AWAY_S
-from vrts.live.rooms.room import REMEMBERED, REMEMBERED_BYTES, REMEMBERED_S, Room
+from vrts.live.rooms.room import REMEMBERED, REMEMBERED_BYTES, REMEMBERED_S, UNWATCHED, Room
+from vrts.live.session.channel.messages import Start
 from vrts.live.settings import Settings
 from vrts.live.store.accounts import Account
 from vrts.live.store.database import Database
@@ -46,6 +50,25 @@ def test_who_has_waited_for_a_snapshot_is_told_who_is_here(tmp_path: Path) -> No
         assert room.crowd_changed, "everybody is told again"
     finally:
         hub.database.close()
+
+
+def test_fewer_frames_are_made_where_nobody_looks(tmp_path: Path) -> None:
+    room, _ = told(0, 0)
+    room.process = process = SessionProcess(Start(1, str(tmp_path)), _hear, _hear)
+    process.ready = True
+    member = room.members["m"] = Member(Account(1, "Ben", False, None), "r", rate=60)
+    room.set_pace()
+    assert (room.pace, process.seldom) == (UNWATCHED, True), "who is away sees nothing"
+    member.door = cast("Door", "open")
+    room.set_pace()
+    assert (room.pace, process.seldom) == (60, False)
+    member.rate = 1
+    room.set_pace()
+    assert room.pace == FULL_RATE, "news come with frames"
+
+
+def _hear(*_: object) -> None:
+    """Tell nobody."""
 
 
 def test_long_messages_are_fewer() -> None:

@@ -9,7 +9,7 @@ import math
 from vrts.live.actions import Keep
 from vrts.live.session.channel.messages import BEAT, Act, Halt, ToSession
 
-AT_REST = 0.2  # [s] between beats while nothing is under way
+AT_REST = 0.8  # [s] between beats while nothing is under way; pages begin again after one second
 AFTER_TICK = 0.004  # [s] after a tick the first motion of an arm that stood still can be seen
 
 

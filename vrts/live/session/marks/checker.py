@@ -23,6 +23,7 @@ from vrts.live.session.growing.growing_run import GrowingRun
 from vrts.live.session.growing.tidying import tidy
 from vrts.live.session.live_session import Session
 from vrts.live.session.marks.public_mark import Judged, PublicMark, judged
+from vrts.live.session.marks.turns import NoTurns, Turns
 from vrts.live.session.operator.motions import instructed
 from vrts.marking.supervise.aside import FORKS, Aside
 from vrts.marking.supervise.limits import Limits
@@ -35,6 +36,7 @@ PAUSE = 1.0  # [s] of session time between checks
 STRETCH = 300.0  # [s] of session time that is checked at once at most, as after a restart
 REST = 40.0  # times as long as a check took is waited at least: ten sessions share the machine
 LONGEST_PAUSE = 10.0  # [s]
+TURN = 2.0  # [s] of session time after which others may check beside one that takes long
 NICENESS = 10  # of what may be late, such as checks, to frames, which may not
 BEFORE = 0.1  # [s] before a hand begins to close
 CLOSING = 10.0  # [s], longer than any hand takes to close
@@ -69,9 +71,18 @@ class Found(msgspec.Struct, frozen=True):
 class Checker:
     """Checks what a session does, some time after it was done."""
 
-    def __init__(self, session: Session, *, forks: bool = FORKS) -> None:
-        """Check from the beginning of a session; `forks`: whether there are children."""
+    def __init__(
+        self, session: Session, *, forks: bool = FORKS, turns: Turns | None = None
+    ) -> None:
+        """Check from the beginning of a session.
+
+        Args:
+            session: Whose.
+            forks: Whether there are children.
+            turns: Who of several sessions may check now; None: all of them.
+        """
         self._session = session
+        self._turns = turns or NoTurns()
         self.aside = Aside(LIMITS, forks=forks)
         self._asked = (0.0, 0)  # until when, and of which growing run
         self._looked_s = 0.0
@@ -82,6 +93,7 @@ class Checker:
     def close(self) -> None:
         """End with the session."""
         self.aside.close()
+        self._turns.give_back()
 
     @property
     def settled(self) -> bool:
@@ -93,17 +105,22 @@ class Checker:
     def beat(self) -> None:
         """Take the answer that has come, and ask for what is new, if it is time."""
         self._take()
-        if self.aside.busy:
-            return
         showing, growing = self._session.showing, self._session.growing
         since = growing.time_s - self._looked_s
+        if self.aside.busy:
+            if not 0.0 <= since < TURN:
+                self._turns.give_back()
+            return
         if 0.0 <= since < self._pause:
             return
-        self._looked_s = growing.time_s
         if not _anything_moved(growing, showing.checked_s):
             showing.checked_s = growing.time_s
             if not self._mark.due:
+                self._looked_s = growing.time_s
                 return
+        if not self._turns.take():
+            return  # at the next beat, then
+        self._looked_s = growing.time_s
         until_s = min(growing.time_s, showing.checked_s + STRETCH)
         self._asked = (until_s, id(growing))
         self._judges = until_s == growing.time_s and self._mark.due
@@ -118,6 +135,7 @@ class Checker:
         """Take the answer, if it has come, and rest from it."""
         done = self.aside.take()
         if done is not None:
+            self._turns.give_back()
             checking_s = done.took_s - self._answered(done.answer)
             self._pause = min(max(PAUSE, REST * checking_s), LONGEST_PAUSE)
 
