@@ -105,6 +105,8 @@ def test_a_program_is_marked_by_keyboard_alone(
     press(view, "Control+Enter")
     until(view, "document.querySelector('#code .comment, .loose .comment') !== null")
     assert view.page.evaluate("document.getElementById('comment').value") == ""
+    shown = view.page.frame_locator("#frame iframe").locator(".noted .note p:first-child")
+    assert shown.inner_text() == "jumps & <b>n</b> are typed here"  # at once, on the replay, too
     press(view, "Escape")
     assert view.page.evaluate("document.activeElement.id") == "list"
 

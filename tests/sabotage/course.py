@@ -15,7 +15,30 @@ PROVIDER = "tests/unit/course/people/test_provider.py"
 OWN_SLEEP = "tests/unit/live/rooms/test_own_sleep.py"
 SLOTS = "tests/unit/course/robots/test_slots.py"
 
+COMMENTS = "tests/browser/test_comments_page.py"
+
 COURSE: tuple[Patch, ...] = (
+    Patch(
+        "what graders say of a moment does not come up when the replay passes it",
+        "vrts/web/report/comments.js",
+        "passed >= -BEFORE && passed <=",
+        "passed >= 0 && passed <= 0 *",
+        (COMMENTS,),
+    ),
+    Patch(
+        "what graders say of a line stands at no line of the program",
+        "vrts/web/report/comments.js",
+        "      line?.append(/** @type {HTMLElement} */ (box));\n",
+        "",
+        (COMMENTS,),
+    ),
+    Patch(
+        "the replay at the desk goes on showing what was said before",
+        "vrts/web/desk/frame.js",
+        "      this.open();\n      this.tellComments();\n",
+        "      this.open();\n",
+        ("tests/browser/test_desk_page.py",),
+    ),
     Patch(
         "a hand-in that a crash has left half done is not finished at the next start",
         "vrts/course/handing/taking.py",

@@ -13,6 +13,7 @@ from vrts.marking.row import Decided, Given, Told
 from vrts.report.page.buttons import watch_button
 from vrts.report.page.html import Child, Markup, element
 from vrts.report.plain import one_line
+from vrts.report.quantities import seconds
 
 BEGIN, END = b"<!--from-graders-->", b"<!--/from-graders-->"
 NAVIGATION = b'<nav aria-label="On this page">'
@@ -53,7 +54,14 @@ class _Page:
         self._page = page
         self._replay = REPLAY in page
 
-    def places(self, line: int | None, time_s: float | None) -> Iterator[Child]:
+    def place(self, line: int | None, time_s: float | None) -> Markup | None:
+        """Return where something belongs: `report/comments_read.js` shows it there, too."""
+        if line is None and time_s is None:
+            return None
+        told = None if time_s is None else seconds(time_s)
+        return element("span", *self._links(line, time_s), class_="place", data_line=line, data_t=told)
+
+    def _links(self, line: int | None, time_s: float | None) -> Iterator[Child]:
         """Yield a line, linked to the program, and a moment, linked to the replay."""
         if line is not None:
             there = f'id="L{line}"'.encode() in self._page
@@ -86,9 +94,10 @@ def _section(page: _Page, decided: Decided, final: str, *, staff: bool) -> Marku
 
 
 def _item(page: _Page, item: Given) -> Markup:
-    places = [part for place in item.places for part in page.places(*place)]
-    points = element("b", signed(Fraction(item.points)))
-    return element("li", points, " ", one_line(item.title), " ", *places, _who(item.who))
+    places = [page.place(*place) for place in item.places]
+    points = element("b", signed(Fraction(item.points)), class_="points")
+    words = element("span", one_line(item.title), class_="words")
+    return element("li", points, " ", words, " ", *places, _who(item.who))
 
 
 def _comment(page: _Page, comment: Told) -> Markup:
@@ -97,8 +106,9 @@ def _comment(page: _Page, comment: Told) -> Markup:
     for number, line in enumerate(lines):
         text += [element("br")] if number else []
         text.append(one_line(line))
-    places = page.places(comment.line, comment.time_s)
-    return element("li", *places, *text, " ", _who(comment.who))
+    place = page.place(comment.line, comment.time_s)
+    words = element("span", *text, class_="words")
+    return element("li", place, words, " ", _who(comment.who))
 
 
 def _who(name: str) -> Markup:

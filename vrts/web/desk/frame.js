@@ -1,6 +1,7 @@
 // The replay: the report's page in a frame of its own, which can call nothing, and says what it shows.
 
 import { byId, make } from "../live/dom.js";
+import { points } from "./words.js";
 
 /** @typedef {import("./desk.js").Desk} Desk */
 
@@ -22,7 +23,10 @@ export class Replay {
     this.listens = false;
     this.waiting = 0;
     desk.on(["chosen"], () => this.close());
-    desk.on(["detail"], () => this.open());
+    desk.on(["detail"], () => {
+      this.open();
+      this.tellComments();
+    });
     let running = false;
     desk.on(["marking"], () => {
       const ended = running && !desk.data?.marking.running;
@@ -68,7 +72,10 @@ export class Replay {
     const said = event.data;
     if (said?.vrts === "shown" && Number.isFinite(said.time_s)) {
       this.desk.moment = { time_s: said.time_s, line: whole(said.line), end_s: Number.isFinite(said.end_s) ? said.end_s : 0 };
-      this.listens = true;
+      if (!this.listens) {
+        this.listens = true;
+        this.tellComments();
+      }
       const wanted = this.wanted;
       this.wanted = null;
       if (wanted) this.say(wanted);
@@ -96,12 +103,32 @@ export class Replay {
     if (time_s !== null) this.show(Math.min(time_s + by, end_s || Infinity));
   }
 
+  /** Let the replay show what is said of the program, as it is decided now. */
+  tellComments() {
+    const { detail } = this.desk;
+    if (this.listens && detail) this.say({ vrts: "comments", comments: commentsOf(detail, this.desk.data?.items ?? []) });
+  }
+
   /** @param {Record<string, unknown>} words */
   say(words) {
     // the frame has no origin of its own that could be named: what is said is a time or a line
     if (this.listens) this.frame?.contentWindow?.postMessage(words, "*");
     else this.wanted = words;
   }
+}
+
+/**
+ * Return what is said of a program at lines and moments of the run that is shown; rubric items, too.
+ * @param {import("./types.js").Detail} detail @param {import("./types.js").Item[]} items
+ */
+function commentsOf(detail, items) {
+  const said = detail.comments.filter((one) => !one.stale)
+    .map((one) => ({ text: one.text, who: one.name || one.who, line: one.line, time_s: one.time_s, hidden: one.private }));
+  const given = detail.given.flatMap((one) => {
+    const item = items.find(({ id }) => id === one.item);
+    return item && !item.withdrawn ? [{ text: item.title, who: one.who, line: one.line, time_s: one.time_s, points: points(item.points) }] : [];
+  });
+  return [...said, ...given];
 }
 
 /** @param {unknown} value */

@@ -17,28 +17,46 @@ export class EventList {
    */
   constructor(body, data, jump) {
     this.box = /** @type {HTMLElement} */ (body.closest(".scroll"));
+    this.body = body;
+    this.jump = jump;
+    this.wanted = (/** @type {Row} */ _) => true;
     /** @type {Row[]} */
-    this.rows = [
+    this.own = [
       ...data.run.events,
       ...data.contacts.map((c) => row(c, "contact", c.text)),
       ...data.grazes.map((c) => row(c, "graze", `graze: ${c.text}`)),
       ...data.doubtful.map((c) => row(c, "doubtful", `too close to tell: ${c.text}`)),
       ...data.near.map((c) => row(c, "near", c.text)),
       ...voiceRows(data.voices),
-    ].sort((a, b) => a.t - b.t);
-    this.entries = this.rows.map((one) => drawn(one, () => jump(one.t)));
-    this.buttons = this.entries.map((entry) => /** @type {HTMLElement} */ (entry.querySelector("button")));
-    body.replaceChildren(...this.entries);
-    body.classList.toggle("many", this.rows.length > MANY);
-    this.current = -1;
-    this.listed = this.rows.map(() => true);
-    this.reach(0);
+    ];
+    this.rows = this.own;
+    this.fill([]);
     bindFilter(this.box, this.rows, (listed) => this.list(listed));
     body.addEventListener("keydown", (event) => this.walk(event));
   }
 
+  /** List comments of graders between the events, and no others. @param {import("./comments_read.js").Timed[]} comments */
+  comment(comments) {
+    this.fill(comments.map((one) => ({
+      t: one.t, kind: "comment", line: one.line ?? 0, text: one.points ? `${one.points}  ${one.text}` : one.text,
+      facts: [one.who, one.hidden ? "not for the student" : ""].filter(Boolean).join(" · "),
+    })));
+  }
+
+  /** @param {Row[]} others beside the page's own */
+  fill(others) {
+    this.rows = [...this.own, ...others].sort((a, b) => a.t - b.t);
+    this.entries = this.rows.map((one) => drawn(one, () => this.jump(one.t)));
+    this.buttons = this.entries.map((entry) => /** @type {HTMLElement} */ (entry.querySelector("button")));
+    this.body.replaceChildren(...this.entries);
+    this.body.classList.toggle("many", this.rows.length > MANY);
+    this.current = -1;
+    this.list(this.wanted);
+  }
+
   /** Leave rows out, or list them again. @param {(row: Row) => boolean} wanted */
   list(wanted) {
+    this.wanted = wanted;
     this.listed = this.rows.map(wanted);
     this.entries.forEach((entry, index) => { entry.hidden = !this.listed[index]; });
     this.reach(Math.max(this.listed.indexOf(true), 0));

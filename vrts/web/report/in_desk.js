@@ -3,7 +3,7 @@
 /**
  * Obey the page around, if it asked for that in the address, and return who tells it what is shown.
  * In a page that is opened alone nothing is heard and nothing said.
- * @param {{show: (time_s: number) => void, showLine: (line: number) => void, end: number}} acts
+ * @param {{show: (time_s: number) => void, showLine: (line: number) => void, comment: (told: unknown) => void, end: number}} acts
  * @returns {(time_s: number, line: number) => void}
  */
 export function obeyDesk(acts) {
@@ -12,6 +12,7 @@ export function obeyDesk(acts) {
   if (around === window || asked === null) return () => {};
   document.documentElement.classList.add("framed", ...(asked === "picture" ? ["picture"] : [])); // without what steers
   window.addEventListener("message", (event) => {
+    if (event.source === around && event.data?.vrts === "comments") acts.comment(event.data.comments);
     if (event.source !== around || event.data?.vrts !== "show") return;
     const { time_s, line } = event.data;
     if (Number.isFinite(time_s)) acts.show(Math.min(Math.max(time_s, 0), acts.end));

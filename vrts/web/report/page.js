@@ -5,6 +5,8 @@ import { Player } from "../viewer/player.js";
 import { Replay } from "../viewer/replay.js";
 import { Viewer } from "../viewer/viewer.js";
 import { Charts } from "./charts.js";
+import { Comments, ofPage } from "./comments.js";
+import { toldComments } from "./comments_read.js";
 import { charts, sampleTimes, speed, toolPath } from "./curves.js";
 import { EventList } from "./events.js";
 import { obeyDesk } from "./in_desk.js";
@@ -31,7 +33,8 @@ const plots = new Charts(byId("chart-list"), times, charts(replay, times, path, 
 const lanes = new Lanes(byId("lanes"), [...lanesOf(replay, data), ...voiceLanes(data.voices)], replay.end, (t) => jump(t));
 /** @type {Record<string, HTMLElement | null>} */
 const lit = { lit: null, "lit-process": null };
-const tellDesk = obeyDesk({ show: jump, showLine: jumpToLine, end: replay.end });
+const comments = new Comments({ jump, watch, end: replay.end });
+const tellDesk = obeyDesk({ show: jump, showLine: jumpToLine, comment: (told) => say(toldComments(told)), end: replay.end });
 
 slider.max = String(replay.end);
 viewer?.setTrace(path, (i) => data.contacts.some((/** @type {Contact} */ c) => c.start <= times[i] && times[i] <= c.end));
@@ -49,6 +52,7 @@ for (const button of document.querySelectorAll("button.seek")) {
   button.addEventListener("click", () => watch(Number(/** @type {HTMLElement} */ (button).dataset.t)));
 }
 if (viewer) drawSnapshots(viewer, replay, data.contacts, mark);
+say(ofPage());
 jump(askedTime() ?? data.moment ?? 0);
 addEventListener("hashchange", () => {
   const t = askedTime();
@@ -82,6 +86,13 @@ function jump(/** @type {number} */ t) {
   player.seek(t);
 }
 
+/** Show what graders say, and nothing else of them. @param {import("./comments_read.js").Comment[]} said */
+function say(said) {
+  comments.set(said);
+  events.comment(comments.timed);
+  show(player.t);
+}
+
 /** Go to the next time a line of the program is at work. */
 function jumpToLine(/** @type {number} */ line) {
   const times = data.run.lines.filter((/** @type {[number, number]} */ row) => row[1] === line).map((/** @type {[number, number]} */ row) => row[0]);
@@ -112,6 +123,7 @@ function show(/** @type {number} */ t) {
   lightLine("lit-process", replay.line(t, data.run.processLines));
   lightLine("lit", replay.line(t));
   lanes.show(t);
+  comments.show(t, player);
   events.show(t);
   plots.show(t);
   tellDesk(t, replay.line(t));

@@ -32,6 +32,7 @@ export function voiceLanes(voices = []) {
 /** Return the group by which a row can be left out of the list. @param {string} kind */
 function groupOf(kind) {
   if (kind.startsWith(OF_VOICE)) return LANES[/** @type {keyof typeof LANES} */ (kind.slice(OF_VOICE.length))] ?? "People";
+  if (kind === "comment") return LANES.note; // beside those of who led the session
   return CONTACTS.includes(kind) ? "Contacts" : "Robot";
 }
 
