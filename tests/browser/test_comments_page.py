@@ -1,7 +1,7 @@
 """What graders say stands on the replay of a report: marks, notes and words at lines."""
 
 from collections.abc import Iterator
-from pathlib import Path
+from itertools import pairwise
 
 import pytest
 from playwright.sync_api import Browser
@@ -112,4 +112,4 @@ def test_there_is_room_on_a_phone_and_axe_finds_nothing(view: Opened) -> None:
     assert note["height"] < picture["height"] * 0.55
     boxes = [one.bounding_box() for one in view.page.locator(MARKS).all()]
     lefts = sorted(box["x"] for box in boxes if box)
-    assert all(b - a >= 24 for a, b in zip(lefts, lefts[1:], strict=False))
+    assert all(b - a >= 24 for a, b in pairwise(lefts))

@@ -33,13 +33,6 @@ COURSE: tuple[Patch, ...] = (
         (COMMENTS,),
     ),
     Patch(
-        "the replay at the desk goes on showing what was said before",
-        "vrts/web/desk/frame.js",
-        "      this.open();\n      this.tellComments();\n",
-        "      this.open();\n",
-        ("tests/browser/test_desk_page.py",),
-    ),
-    Patch(
         "a hand-in that a crash has left half done is not finished at the next start",
         "vrts/course/handing/taking.py",
         "in await asyncio.to_thread(lambda: list(deposit.unfinished(home))):",

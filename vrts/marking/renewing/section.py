@@ -59,7 +59,9 @@ class _Page:
         if line is None and time_s is None:
             return None
         told = None if time_s is None else seconds(time_s)
-        return element("span", *self._links(line, time_s), class_="place", data_line=line, data_t=told)
+        return element(
+            "span", *self._links(line, time_s), class_="place", data_line=line, data_t=told
+        )
 
     def _links(self, line: int | None, time_s: float | None) -> Iterator[Child]:
         """Yield a line, linked to the program, and a moment, linked to the replay."""

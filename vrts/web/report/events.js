@@ -30,6 +30,14 @@ export class EventList {
       ...voiceRows(data.voices),
     ];
     this.rows = this.own;
+    /** @type {HTMLElement[]} */
+    this.entries = [];
+    /** @type {HTMLElement[]} */
+    this.buttons = [];
+    /** @type {boolean[]} */
+    this.listed = [];
+    this.current = -1;
+    this.reached = 0;
     this.fill([]);
     bindFilter(this.box, this.rows, (listed) => this.list(listed));
     body.addEventListener("keydown", (event) => this.walk(event));
@@ -81,7 +89,7 @@ export class EventList {
 
   /** Let the tabulator come to one row. @param {number} index */
   reach(index) {
-    this.buttons[this.reached ?? 0]?.setAttribute("tabindex", "-1");
+    this.buttons[this.reached]?.setAttribute("tabindex", "-1");
     this.reached = index;
     this.buttons[index]?.removeAttribute("tabindex");
   }
