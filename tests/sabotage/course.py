@@ -33,6 +33,13 @@ COURSE: tuple[Patch, ...] = (
         (COMMENTS,),
     ),
     Patch(
+        "somebody who is still on the list is forgotten, and has an account a second later",
+        "vrts/course/personal/still_listed.py",
+        "if one.key in keys or one.email in emails",
+        "if one.key in keys and one.email not in emails",
+        ("tests/unit/cli/course/test_course_commands.py",),
+    ),
+    Patch(
         "a hand-in that a crash has left half done is not finished at the next start",
         "vrts/course/handing/taking.py",
         "in await asyncio.to_thread(lambda: list(deposit.unfinished(home))):",

@@ -25,20 +25,43 @@ Examples:
     help="Folder of the server, as with `vrts serve`.",
 )
 @click.option("--mentions", is_flag=True, help="Also forget others' texts that hold the name.")
+@click.option(
+    "--still-listed", is_flag=True, help="Forget even who gets a new, empty account by the lists."
+)
 @file_option("--log-key", help="File with the key that signs the logs, outside of the folder.")
 @guarded
-def command(folder: Path, name: str, server: Path, mentions: bool, log_key: Path | None) -> None:
+def command(
+    folder: Path,
+    name: str,
+    server: Path,
+    mentions: bool,
+    still_listed: bool,
+    log_key: Path | None,
+) -> None:
     """Forget a person in a course: account, hand-ins, marks, what was published for them.
 
     What a team handed in stays with the others of the team. The server may run meanwhile. Take the
-    person off the class list first: who stands on it gets a new account. What `vrts grade` wrote
-    about the class lies elsewhere: `vrts grade purge` forgets them there.
+    person off the class list first: who stands on it would get a new account, so nothing is
+    forgotten then. What `vrts grade` wrote about the class lies elsewhere: `vrts grade purge`
+    forgets them there.
     """
     from vrts.course.course_file import open_course
     from vrts.course.personal.forgetting import forget
+    from vrts.course.personal.still_listed import still_listed as where_listed
 
     open_course(folder)
     require_server(server)
+    listed = where_listed(folder, server, name)
+    if listed.places and not still_listed:
+        fail(
+            f"`{name}` still stands in {' and '.join(listed.places)},"
+            " and would get a new account: nothing was forgotten",
+            (
+                "take the line out, save the file, and call this again",
+                "`--still-listed` forgets them all the same, and the new account is empty",
+            ),
+            WRONG,
+        )
     found = forget(folder, server, name, log_key, mentions=mentions)
     if not found.server.accounts:
         fail(f"nothing is kept of `{name}`", status=WRONG)
@@ -52,6 +75,8 @@ def command(folder: Path, name: str, server: Path, mentions: bool, log_key: Path
         )
     if found.server.left:
         warn(found.server.left)
-    if found.listed:
-        warn(f"`{name}` may stand on the class list still: then they get a new, empty account")
+    if listed.places:
+        warn(f"{' and '.join(listed.places)} gives them a new, empty account as long as it stands")
+    elif listed.fault and found.listed:
+        warn(f"`{name}` may still be listed, and gets a new account then: {listed.fault}")
     warn("what `vrts grade` wrote about the class keeps what it holds: `vrts grade purge`")

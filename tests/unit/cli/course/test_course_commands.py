@@ -69,3 +69,27 @@ def test_all_faults_are_shown_at_once(tmp_path: Path) -> None:
     assert "it lies in the folder of the course" in said.stderr
     said = vrts_text("course", "check", tmp_path)
     assert (said.returncode, "course.toml" in said.stderr) == (2, True)
+
+
+def test_who_is_still_listed_is_not_forgotten_unless_that_is_meant(tmp_path: Path) -> None:
+    course, live = course_folder(tmp_path / "course"), ("--folder", str(tmp_path / "live"))
+    assert vrts_text("course", "letters", course, *live, *ADDRESS, "-o", "-").returncode == 0
+    purge = ("course", "purge", course, "Cy Dahl", *live, "--log-key", tmp_path / "key")
+    said = vrts_text(*purge)
+    assert said.returncode == 1
+    assert "roster.csv:2, and would get a new account: nothing was forgotten" in said.stderr
+    assert "take the line out" in said.stderr
+    assert "Cy Dahl" in vrts_text("course", "people", course, *live).stdout
+    meant = vrts_text(*purge, "--still-listed")
+    assert (meant.returncode, "accounts forgotten: 1" in meant.stderr) == (0, True)
+    assert "roster.csv:2 gives them a new, empty account" in meant.stderr
+    assert vrts_text("course", "letters", course, *live, *ADDRESS, "-o", "-").returncode == 0
+    roster = course / "roster.csv"
+    lines = roster.read_text().splitlines(keepends=True)
+    roster.write_text("".join(line for line in lines if "Cy Dahl" not in line))
+    said = vrts_text(*purge)
+    assert (said.returncode, "accounts forgotten: 1" in said.stderr) == (0, True)
+    assert "new account" not in said.stderr
+    assert vrts_text("course", "letters", course, *live, *ADDRESS, "-o", "-").returncode == 0
+    assert "Cy Dahl" not in vrts_text("course", "people", course, *live).stdout
+    assert "nothing is kept of `Cy Dahl`" in vrts_text(*purge).stderr
