@@ -85,14 +85,14 @@ class Stage:
         _, snapshot = link.wait("snapshot")
         if snapshot["state"] is None:
             link.wait("state")
+        return self._in_control(link, room)
+
+    def _in_control(self, link: LiveSocket, room: str) -> Operator:
         lease = link.take_control()
-        return Operator(link, lease, room, self._epoch(link, lease))
-
-    def _epoch(self, link: LiveSocket, lease: str) -> float:
-        return epoch(link, lease)
+        return Operator(link, lease, room, _epoch(link, lease))
 
 
-def epoch(link: LiveSocket, lease: str) -> float:
+def _epoch(link: LiveSocket, lease: str) -> float:
     """Return what the clock showed at session time 0, or up to 0.3 ms less.
 
     A command is stamped after it was sent, so its session time and the time at which it was sent

@@ -145,6 +145,7 @@ def answered(operator: Operator, number: int) -> float:
     socket.command(operator.lease, "step", frame="joint", axis=0, way=way, size=0.05)
     while True:
         for came in socket.take():
+            assert b'"type":"refused"' not in came.payload, came.payload
             if came.opcode == 2 and unpacked(came.payload).joints != still:
                 return 1e3 * (came.stamp_s - begin_s)
 

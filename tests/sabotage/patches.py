@@ -4046,7 +4046,7 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "commands are acknowledged that the disk has not taken",
-        "vrts/live/rooms/sessions.py",
+        "vrts/live/rooms/hearing/hearing.py",
         "            await written\n",
         "            pass\n",
         ("tests/unit/live/rooms/test_full_disk.py",),

@@ -11,7 +11,7 @@ from vrts.live.protocol.fields import LONGEST_CHAT, LONGEST_NOTE, VERSION
 from vrts.live.protocol.from_clients import FromClient
 from vrts.live.protocol.from_server import Control, FromServer
 from vrts.live.protocol.listed import Person, WallRow
-from vrts.live.session.channel import messages
+from vrts.live.session.channel import messages, rows
 from vrts.live.session.views import frame
 from vrts.web.assets import asset
 
@@ -70,9 +70,9 @@ def test_both_sides_know_the_same_fields(name: str, kinds: tuple[Any, ...]) -> N
         ("WallRow", WallRow),
         ("Control", Control),
         ("Status", messages.Status),
-        ("Placed", messages.Placed),
-        ("Lost", messages.Lost),
-        ("Part", messages.Part),
+        ("Placed", rows.Placed),
+        ("Lost", rows.Lost),
+        ("Part", rows.Part),
         ("Marked", messages.Marked),
     ],
 )

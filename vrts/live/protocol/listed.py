@@ -69,4 +69,4 @@ class WallRow(msgspec.Struct, frozen=True):
     scene_url: str = ""  # what is to be drawn; empty: not there yet
     hand_m: float = 0.0  # opening
     stopped: str = ""  # who pressed PANIC; empty: nobody, or it has moved since
-    bodies: tuple[msgspec.Raw, ...] = ()  # how each movable body lies: `session.messages.Placed`
+    bodies: tuple[msgspec.Raw, ...] = ()  # how each movable body lies: `session.rows.Placed`

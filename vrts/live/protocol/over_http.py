@@ -117,7 +117,7 @@ class Still(msgspec.Struct, frozen=True):
     joints_rad: tuple[float, ...]
     hand_m: float  # opening
     tool: tuple[float, ...]  # pose of TOOL in the flange frame; empty: not known
-    bodies: tuple[msgspec.Raw, ...]  # how each movable body lies: `session.messages.Placed`
+    bodies: tuple[msgspec.Raw, ...]  # how each movable body lies: `session.rows.Placed`
 
 
 class Carried(msgspec.Struct, frozen=True):

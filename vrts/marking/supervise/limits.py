@@ -24,6 +24,7 @@ class Limits:
     files: int = 256  # open at once
     answer: int = 8_000_000  # bytes of its answer
     niceness: int = 0  # beyond its parent's: what may be late to what may not
+    among_all: int = 0  # the same to all other sessions of Linux, for which nobody waits
 
 
 def for_mending(limits: Limits, executions: int) -> Limits:
@@ -56,7 +57,8 @@ def impose(limits: Limits) -> None:
         return  # no such limits there: the watching parent is all there is
     import resource  # Windows has none
 
-    give_way(limits.niceness)
+    os.nice(limits.niceness)
+    _give_way(limits.among_all)
     memory = _reserved() + limits.memory
     bounds = (
         (resource.RLIMIT_CPU, limits.cpu_s, limits.cpu_s + 2),  # a signal first, which tells why
@@ -87,13 +89,12 @@ def for_the_next(cpu_s: int) -> None:
     resource.setrlimit(resource.RLIMIT_CPU, (top, hard))
 
 
-def give_way(niceness: int) -> None:
-    """Let others have the processor first, for good.
+def _give_way(niceness: int) -> None:
+    """Let others have the processor first, those of other sessions too, for good.
 
-    Where Linux groups processes by session, niceness counts within a group only, so the group of
-    a process that has a session of its own gets it too.
+    Where Linux groups processes by session, niceness counts within a group only, so it is the group
+    of a process with a session of its own that has to have it.
     """
-    os.nice(niceness)
     if niceness and os.getsid(0) == os.getpid():
         with suppress(OSError):  # there are no groups, or another one was set a moment ago
             GROUP.write_text(str(niceness))

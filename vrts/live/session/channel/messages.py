@@ -21,6 +21,14 @@ import msgspec
 from msgspec import Meta
 
 from vrts.live.actions import Action, Name, Number
+from vrts.live.session.channel.rows import (
+    HandPlace,
+    Lost,
+    Part,
+    Placed,
+    ProgramEntry,
+    WayTouch,
+)
 from vrts.live.settings import HISTORY_QUOTA
 
 LENGTH: Final = struct.Struct("<I")  # before every message from the session
@@ -183,17 +191,6 @@ class Done(News, frozen=True, tag="done"):
     row: str = ""  # of what was recorded: its line of `.LOCATIONS`, as STORE writes it
 
 
-class WayTouch(msgspec.Struct, frozen=True):
-    """What would touch on the way, and where."""
-
-    text: str  # "left finger touches base1, 3.1 mm deep"
-    parts: tuple[str, str]
-    start: float  # share of the time that the way takes
-    end: float
-    point: tuple[float, float, float]  # where it is deepest [m]
-    at_goal: bool  # it touches where the way ends, too
-
-
 class Reached(News, frozen=True, tag="reached"):
     """Whether the tool can go there, and what the way touches."""
 
@@ -249,16 +246,6 @@ class Unfit(News, frozen=True, tag="unfit"):
     text: str
 
 
-class Placed(msgspec.Struct, frozen=True):
-    """How a movable body lies from a time on, as the viewer's player takes it."""
-
-    body: str
-    start: float
-    lie: str  # value of Lie: "resting", "held", "falling", "toppled"
-    X: tuple[float, ...]  # in the world; of a held body in the flange frame
-    support: str | None
-
-
 class Moved(News, frozen=True, tag="moved"):
     """Bodies were grasped, let go, or came to rest. Several rows of a body follow one another."""
 
@@ -307,15 +294,6 @@ class Status(News, frozen=True, tag="status"):
     total: float = 10.0  # the mark is out of so many points
 
 
-class ProgramEntry(msgspec.Struct, frozen=True):
-    """A program in memory."""
-
-    name: str
-    lines: tuple[str, ...]
-    fault: str = ""  # why it cannot be executed
-    main: bool = False  # the one to execute where nobody names one
-
-
 class Programs(News, frozen=True, tag="programs"):
     """The programs in memory have changed; all of them."""
 
@@ -330,27 +308,6 @@ class Checked(News, frozen=True, tag="checked"):
     near: tuple[Json, ...]
     undetermined: bool = False
     mark: float | None = None  # as in `Status`
-
-
-class Lost(msgspec.Struct, frozen=True):
-    """Points lost to one cause, as a report's table shows them."""
-
-    points: str  # "−1.5"
-    kind: str  # of `check.mark.grade.Loss`
-    text: str
-    at_s: float | None = None  # when it happened; None: it is about the whole
-
-
-class Part(msgspec.Struct, frozen=True):
-    """What one thing that the task asks for has earned so far."""
-
-    check: str  # name of the verdict
-    title: str
-    kind: str  # of `check.mark.grade.Earned`
-    answer: str  # "holds", "violated", "undetermined"; empty: not looked at
-    points: str
-    most: str
-    text: str  # what is wrong; empty: nothing
 
 
 class Marked(News, frozen=True, tag="marked"):
@@ -368,14 +325,6 @@ class Began(News, frozen=True, tag="began"):
 
     time_s: float
     epoch_s: float  # from now on
-
-
-class HandPlace(msgspec.Struct, frozen=True):
-    """Where the hand grips an object, or sets one down."""
-
-    name: str  # "can1_grip"
-    body: str  # in whose frame it is; empty: in the world
-    X: tuple[float, ...]  # of the tool, twelve numbers
 
 
 class Snapshot(News, frozen=True, tag="snapshot"):

@@ -40,7 +40,9 @@ TURN = 2.0  # [s] of session time after which others may check beside one that t
 NICENESS = 10  # of what may be late, such as checks, to frames, which may not
 BEFORE = 0.1  # [s] before a hand begins to close
 CLOSING = 10.0  # [s], longer than any hand takes to close
-LIMITS = Limits(cpu_s=60, wall_s=120.0, memory=1_000_000_000, niceness=NICENESS)
+LIMITS = Limits(
+    cpu_s=60, wall_s=120.0, memory=1_000_000_000, niceness=NICENESS, among_all=NICENESS // 2
+)
 
 
 class _Segments(NamedTuple):

@@ -21,7 +21,8 @@ from vrts.check.task.task import Task
 from vrts.check.verdict import CollisionReport, ContactEvent
 from vrts.engine.memory.records import Ending
 from vrts.engine.run import Run
-from vrts.live.session.channel.messages import Json, Lost, Marked, Part
+from vrts.live.session.channel.messages import Json, Marked
+from vrts.live.session.channel.rows import Lost, Part
 from vrts.live.session.live_session import Session
 from vrts.marking.submission.session_run import session_run
 from vrts.report.plain import capital, one_line

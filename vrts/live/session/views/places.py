@@ -3,7 +3,7 @@
 from typing import Final
 
 from vrts.base.pose import IDENTITY
-from vrts.live.session.channel.messages import HandPlace
+from vrts.live.session.channel.rows import HandPlace
 from vrts.report.page.viewer_data import pose_numbers
 from vrts.scene.model import Scene
 

@@ -8,18 +8,17 @@ from vrts.check.rules.scheme import TOTAL
 from vrts.engine.memory.events import Answered, Event, ProgramEnded, ProgramStarted, Prompted
 from vrts.ir.entry import entry_among
 from vrts.live.session.channel.messages import (
-    HandPlace,
     Happened,
     Json,
     Marked,
     Moved,
     News,
     Output,
-    ProgramEntry,
     Programs,
     Snapshot,
     Status,
 )
+from vrts.live.session.channel.rows import HandPlace, ProgramEntry
 from vrts.live.session.growing.growing_run import GrowingRun
 from vrts.live.session.operator.conversation import Conversation
 from vrts.live.session.operator.held_key import HeldKey

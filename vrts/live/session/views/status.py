@@ -5,7 +5,7 @@ from vrts.base.pose import Pose
 from vrts.engine.memory.events import Cause
 from vrts.engine.memory.records import Ending, Placement
 from vrts.engine.programs.cycles import place
-from vrts.live.session.channel.messages import Placed
+from vrts.live.session.channel.rows import Placed
 from vrts.live.session.growing.growing_run import GrowingRun
 from vrts.live.session.views import frame
 from vrts.live.session.views.frame import PoseFrame, output_bits

@@ -18,7 +18,8 @@ from vrts.engine.memory.events import Event, Grasped, HandCommanded
 from vrts.engine.memory.records import Lie, Motion, Placement, Segment
 from vrts.engine.motion.requests import Stance
 from vrts.ir.instructions import HandAction
-from vrts.live.session.channel.messages import AskReach, WayTouch
+from vrts.live.session.channel.messages import AskReach
+from vrts.live.session.channel.rows import WayTouch
 from vrts.live.session.growing.growing_run import GrowingRun
 from vrts.live.session.operator.motions import go, pose_of
 from vrts.report.page.replay_data import contact_sentence
