@@ -2,9 +2,9 @@
 
 A patch that no test notices, or that no longer applies, fails this stage. Before anything is
 patched the named tests must pass, so that a failure is the patch's doing; `--passed` says that
-other stages look at that, before this one or beside it. Tests are those of the usual run, with its
-few examples, but for patches that say that only a `thorough` test notices.
-`--list` says which those are; `--chosen` asks what `python -m tests --changed` would have run.
+other stages look at that, before this one or beside it. Those of the usual run, with its few
+examples, are tried before those that are `thorough`. `--list` prints what patches do; `--chosen`
+asks what `python -m tests --changed` would have run.
 
 The test that noticed a patch last stands in `first.json` and runs first, alone: mostly that is all
 there is to run. `--remember` writes the file again. Verdicts are printed as they come, with the
@@ -52,6 +52,9 @@ FIRST = Path(__file__).with_name("first.json")
 TWICE = " (2nd try)"
 GRACE_S = 60.0  # for what has begun when the time is over
 AT_ONCE = (os.cpu_count() or 1) + 2  # many tests wait
+USUAL: tuple[str, ...] = ()  # pytest's options for tests of the usual run
+THOROUGH = ("-m", "thorough and not live")
+EITHER = ("-m", "not live")
 
 
 class Verdict(NamedTuple):
@@ -68,13 +71,21 @@ class Verdict(NamedTuple):
         return f"{said}{self.cpu_s:6.1f} s  {self.patch.name}{self.note}"
 
 
+class _Try(NamedTuple):
+    """Tests that run together."""
+
+    targets: Sequence[str]
+    options: tuple[str, ...]  # of pytest: which of them
+    said: str = ""  # where they notice
+
+
 def main(words: list[str]) -> int:
     """Try every patch whose name holds one of the words (all without words)."""
     names = [word for word in words if not word.startswith("--")]
     wanted = [patch for patch in PATCHES if not names or any(w in patch.name for w in names)]
     if "--list" in words:
         for patch in wanted:
-            print(f"{'thorough' if patch.thorough else 'usual':10}{patch.name}")
+            print(patch.name)
         return 0
     if "--chosen" in words:
         return chosen.main(wanted)
@@ -88,12 +99,12 @@ def main(words: list[str]) -> int:
     os.environ["OPENBLAS_NUM_THREADS"] = "1"  # before a child loads it
     with tempfile.TemporaryDirectory() as folder:
         untouched = copy_tree(ROOT, Path(folder) / "untouched")
-        for thorough in {patch.thorough for patch in wanted if "--passed" not in words}:
-            these = [patch for patch in wanted if patch.thorough is thorough]
-            targets = sorted({test for patch in these for test in patch.tests})
-            if run_tests(untouched, targets, *selection(thorough), "-n", "2", seconds=ALL_SECONDS):
-                print("the named tests fail without any patch")
-                return 1
+        targets = sorted({test for patch in wanted for test in patch.tests})
+        if "--passed" not in words and run_tests(
+            untouched, targets, *EITHER, "-n", "2", seconds=ALL_SECONDS
+        ):
+            print("the named tests fail without any patch")
+            return 1
         free: SimpleQueue[Tree] = SimpleQueue()
         for i in range(AT_ONCE):
             free.put(Tree(untouched, Path(folder) / f"patched-{i}"))
@@ -143,12 +154,12 @@ def verdict(
     note = ""
     try:
         with tree.patched(patch) as folder:
-            for targets, said in _tries(first, patch):
+            for tries in _tries(first, patch):
                 seconds = min(SECONDS, latest + GRACE_S - time.monotonic())
-                found = _first_failure(folder, targets, patch, max(1.0, seconds))
+                found = _first_failure(folder, tries, max(1.0, seconds))
                 cpu_s += found.cpu_s
                 if found.test is not None:
-                    return Verdict(patch, found.test, said, cpu_s)
+                    return Verdict(patch, found.test, tries.said, cpu_s)
                 note = found.note
     except NoAnswerError as problem:
         if time.monotonic() > latest:
@@ -161,10 +172,11 @@ def verdict(
     return Verdict(patch, None, f": {note}", cpu_s)
 
 
-def _tries(first: str | None, patch: Patch) -> list[tuple[Sequence[str], str]]:
-    """Return which tests run one after another until one fails, and what is said of that."""
-    alone = [([first], "")] if first is not None and _may_notice(first, patch) else []
-    return [*alone, (patch.tests, ""), (patch.tests, TWICE)]
+def _tries(first: str | None, patch: Patch) -> list[_Try]:
+    """Return which tests run one after another until one fails."""
+    alone = [_Try([first], EITHER)] if first is not None and _may_notice(first, patch) else []
+    both = [_Try(patch.tests, USUAL), _Try(patch.tests, THOROUGH)]
+    return [*alone, *both, _Try(patch.tests, EITHER, TWICE)]
 
 
 def _may_notice(test: str, patch: Patch) -> bool:
@@ -175,21 +187,16 @@ def _may_notice(test: str, patch: Patch) -> bool:
     )
 
 
-def _first_failure(tree: Path, targets: Sequence[str], patch: Patch, seconds: float) -> Failure:
+def _first_failure(tree: Path, tries: _Try, seconds: float) -> Failure:
     """Run tests of a patch until one fails, or the time is over."""
     try:
-        return first_failure(tree, targets, *selection(patch.thorough), seconds=seconds)
+        return first_failure(tree, tries.targets, *tries.options, seconds=seconds)
     except NoTestError:
-        if targets is patch.tests:
+        if tries.said:
             raise
-        return Failure(None, 0.0)  # what noticed it last has another name by now
+        return Failure(None, 0.0)  # there are others, or what noticed it last has another name now
     except DiedError as problem:
         return Failure(None, 0.0, str(problem))
-
-
-def selection(thorough: bool) -> tuple[str, ...]:
-    """Return pytest's options for the tests that are to notice."""
-    return ("-m", "thorough and not live") if thorough else ()
 
 
 if __name__ == "__main__":

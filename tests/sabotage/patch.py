@@ -4,14 +4,10 @@ from typing import NamedTuple
 
 
 class Patch(NamedTuple):
-    """Replace `before`, which stands once in `file`, by `after`; one of `tests` must fail.
-
-    They are of the usual run, unless `thorough` says that only a test of `--all` notices.
-    """
+    """Replace `before`, which stands once in `file`, by `after`; one of `tests` must fail."""
 
     name: str
     file: str
     before: str
     after: str
     tests: tuple[str, ...]
-    thorough: bool = False

@@ -304,7 +304,6 @@ PATCHES: tuple[Patch, ...] = (
         "    show_diagnostics(record_gone(place, assignment, handed), color)\n",
         "",
         ("tests/unit/cli/authoring/test_fair_check.py",),
-        thorough=True,
     ),
     Patch(
         "hidden scenes stay as they are beside variants, and nobody says so",
@@ -403,7 +402,6 @@ PATCHES: tuple[Patch, ...] = (
         "came.at < room.panicked",
         "came.at < 0.0",
         ("tests/unit/live/front/test_overtaking.py",),
-        thorough=True,
     ),
     Patch(
         "a program is saved over a version that nobody has seen",
@@ -3836,7 +3834,6 @@ PATCHES: tuple[Patch, ...] = (
         'return self.by(self.tags.get(identifier, ""))',
         'return self.by("")',
         ("tests/unit/marking/variants/test_class_with_variants.py",),
-        thorough=True,
     ),
     Patch(
         "a corrected address gives a student another variant than was handed out",
@@ -3942,7 +3939,6 @@ PATCHES: tuple[Patch, ...] = (
         "while len(found) <= BEGUN and",
         "while len(found) <= 0 and",
         ("tests/unit/validate/identify/test_chosen.py",),
-        thorough=True,
     ),
     Patch(
         "errors that last for long make no interval longer",
@@ -4057,7 +4053,6 @@ PATCHES: tuple[Patch, ...] = (
         "return _WALL_S + (time.clock_gettime(_BOOT) - _BOOT_S)",
         "return time.time()",
         ("tests/unit/live/rooms/test_clock_steps.py",),
-        thorough=True,
     ),
     Patch(
         "a damaged database is written all the same",
