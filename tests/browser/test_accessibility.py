@@ -63,6 +63,7 @@ ALL_LOOKS = [(width, dark) for width in (1280, PHONE) for dark in (False, True)]
 PAGES = ("student", "grader", "broken", "overview", "similarity", "pair")
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     ("name", "looks"),
     [
@@ -97,6 +98,7 @@ def report(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Opened
     return view
 
 
+@pytest.mark.thorough
 def test_every_control_can_be_reached_and_shows_that_it_is(report: Opened) -> None:
     report.page.evaluate("document.activeElement.blur()")
     reached: set[str] = set()

@@ -51,6 +51,7 @@ def hand_in(kept: Path, account: int, mark: str, *losses: Loss) -> None:
         keep_mark(connection, told)
 
 
+@pytest.mark.thorough
 def test_the_board_shows_what_holds_people_up(board: tuple[Opened, Path, list[int]]) -> None:
     view, kept, students = board
     page = view.page
@@ -77,6 +78,7 @@ def test_the_board_shows_what_holds_people_up(board: tuple[Opened, Path, list[in
     assert view.messages == []
 
 
+@pytest.mark.thorough
 def test_nothing_stands_in_the_way_of_anybody(board: tuple[Opened, Path, list[int]]) -> None:
     view, _, _ = board
     for dark in (False, True):

@@ -34,6 +34,7 @@ def view(browser: Browser, path: Path) -> Iterator[Opened]:
     view.page.close()
 
 
+@pytest.mark.thorough
 def test_columns_sort_both_ways_numbers_as_numbers(view: Opened) -> None:
     page = view.page
     page.click("#submissions th >> text=Final")
@@ -50,6 +51,7 @@ def test_columns_sort_both_ways_numbers_as_numbers(view: Opened) -> None:
     assert page.locator("#submissions th[aria-sort]").count() == 1
 
 
+@pytest.mark.thorough
 def test_search_status_and_boxes_narrow_the_table_together(view: Opened) -> None:
     page = view.page
     page.keyboard.press("/")
@@ -72,6 +74,7 @@ def test_search_status_and_boxes_narrow_the_table_together(view: Opened) -> None
     assert set(kinds) == {"missing"}
 
 
+@pytest.mark.thorough
 def test_what_became_of_them_filters_the_table(view: Opened) -> None:
     page = view.page
     page.focus("button[data-kind=ambiguous]")
@@ -114,6 +117,7 @@ def test_paper_has_the_table_and_not_what_steers_it(view: Opened) -> None:
     page.emulate_media(media="screen")
 
 
+@pytest.mark.thorough
 def test_every_control_is_reached_by_keyboard_and_shows_it(view: Opened) -> None:
     page = view.page
     page.focus("#search")

@@ -76,6 +76,7 @@ def search(view: Opened, words: str) -> None:
     until(view, "document.querySelector('#code li code') !== null")
 
 
+@pytest.mark.thorough
 def test_a_program_is_marked_by_keyboard_alone(
     browser: Browser, server: DeskProcess, out: Path
 ) -> None:

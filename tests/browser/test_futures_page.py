@@ -41,6 +41,7 @@ def path(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return home / "page.html"
 
 
+@pytest.mark.thorough
 def test_each_thing_that_goes_wrong_has_its_replay(browser: Browser, path: Path) -> None:
     view = opened(browser, path, still=True)
     until(view, "document.getElementById('clock').textContent.includes('/ ')")
@@ -72,6 +73,7 @@ def test_a_line_of_the_tree_tells_its_story_and_its_scenario(browser: Browser, p
     view.page.close()
 
 
+@pytest.mark.thorough
 def test_axe_finds_nothing(browser: Browser, path: Path) -> None:
     view = opened(browser, path)
     view.page.evaluate(AXE)
@@ -80,6 +82,7 @@ def test_axe_finds_nothing(browser: Browser, path: Path) -> None:
     view.page.close()
 
 
+@pytest.mark.thorough
 def test_what_goes_right_can_be_watched_too(browser: Browser, path: Path) -> None:
     view = opened(browser, path, still=True)
     until(view, "document.getElementById('clock').textContent.includes('/ ')")

@@ -32,6 +32,7 @@ def teacher(browser: Browser, teaching: Teaching) -> Iterator[Desk]:
     opened.context.close()
 
 
+@pytest.mark.thorough
 def test_an_account_lets_in_and_logging_out_lets_nobody_in(
     browser: Browser, tmp_path_factory: pytest.TempPathFactory
 ) -> None:
@@ -74,6 +75,7 @@ def test_colours_and_frame_rate_are_ones_own_and_stay(teacher: Desk) -> None:
     teacher.page.keyboard.press("Escape")
 
 
+@pytest.mark.thorough
 def test_points_are_taught_and_time_goes_back(teacher: Desk, teaching: Teaching) -> None:
     teacher.page.click("#tab-pendant")
     teacher.page.fill("#record-name", "p1")

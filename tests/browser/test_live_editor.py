@@ -57,6 +57,7 @@ def at(person: Desk, words: str) -> None:
     person.value(f"editing.view.dispatch({{selection: {{anchor: {line}}}}}), editing.view.focus()")
 
 
+@pytest.mark.thorough
 def test_a_program_is_written_with_help_saved_and_run(browser: Browser, server: LiveServer) -> None:
     anna = opened(browser, server, "Anna")
     page, keyboard = anna.page, anna.page.keyboard
@@ -127,6 +128,7 @@ def test_a_program_is_written_with_help_saved_and_run(browser: Browser, server: 
     anna.context.close()
 
 
+@pytest.mark.thorough
 def test_what_one_writes_comes_along_into_another_room(
     browser: Browser, server: LiveServer
 ) -> None:

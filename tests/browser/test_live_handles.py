@@ -96,6 +96,7 @@ def dragged(view: Opened, number: int, by: tuple[float, float], shift: bool = Fa
     return moved
 
 
+@pytest.mark.thorough
 def test_handles_are_as_large_and_apart_from_every_side(view: Opened) -> None:
     poses = [ABOVE, [900, -250, -50, 30, 20, 10], [900, -250, -50, 0, -90, 0]]
     found = view.page.evaluate(_ALL_ANGLES, poses)
@@ -128,6 +129,7 @@ def test_places_of_handles_are_apart_for_fingers_too(view: Opened) -> None:
     assert least >= 2 * near > TARGET
 
 
+@pytest.mark.thorough
 def test_a_drag_is_fine_and_goes_by_steps_and_says_how_far(view: Opened) -> None:
     put(view, ABOVE)
     view.page.evaluate("() => { t.viewer.look('overview'); t.viewer.zoom(1.42); }")

@@ -61,6 +61,7 @@ def drag(desk: Desk, id_: str, by: tuple[int, int]) -> None:
     desk.page.mouse.up()
 
 
+@pytest.mark.thorough
 def test_the_first_screen_belongs_to_the_arm(anna: Desk) -> None:
     assert anna.value(LOOK) == "table"
     seen = arm_in_picture(anna.page)
@@ -80,6 +81,7 @@ def test_the_first_screen_belongs_to_the_arm(anna: Desk) -> None:
     assert covered == []
 
 
+@pytest.mark.thorough
 def test_borders_move_by_mouse_and_by_keys_and_are_remembered(anna: Desk) -> None:
     desk, terminal, picture = (
         width(anna, "desk"),
@@ -111,6 +113,7 @@ def test_borders_move_by_mouse_and_by_keys_and_are_remembered(anna: Desk) -> Non
     assert width(anna, "desk") == 320
 
 
+@pytest.mark.thorough
 def test_parts_fold_by_button_and_by_key(anna: Desk) -> None:
     page = anna.page
     page.click("#fold-desk")
@@ -149,6 +152,7 @@ def test_what_is_no_layout_does_no_harm(anna: Desk, kept: str) -> None:
     assert anna.value(read) == anna.value(first)
 
 
+@pytest.mark.thorough
 def test_a_browser_without_storage_shows_the_page(anna: Desk) -> None:
     anna.page.add_init_script(
         """for (const name of ["getItem", "setItem"]) {
@@ -192,6 +196,7 @@ CAMERA = "vrts.world.viewer.camera.position.toArray()"
 LOOKED_AT = "vrts.world.viewer.controls.target.toArray()"
 
 
+@pytest.mark.thorough
 def test_the_camera_goes_by_keys_and_by_buttons_as_by_dragging(anna: Desk) -> None:
     page = anna.page
     page.set_viewport_size({"width": 1366, "height": 768})

@@ -40,6 +40,7 @@ def faults(view: Desk) -> list[Any]:
     return found["violations"]
 
 
+@pytest.mark.thorough
 def test_axe_finds_nothing_in_any_panel(lead: Desk) -> None:
     lead.page.click("#control-button")
     lead.until("vrts.store.operator")
@@ -71,6 +72,7 @@ def test_axe_finds_nothing_on_wall_and_projector(lead: Desk, server: LiveServer)
         assert faults(lead) == []
 
 
+@pytest.mark.thorough
 def test_the_door_and_a_phone(browser: Browser, server: LiveServer) -> None:
     door = desk(browser, server, width=PHONE)
     door.until("!document.getElementById('enter').hidden")

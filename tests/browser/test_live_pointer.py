@@ -94,6 +94,7 @@ def near(a: list[float], b: list[float]) -> bool:
 # --- stage one ------------------------------------------------------------------------------------
 
 
+@pytest.mark.thorough
 def test_the_pointer_begins_at_the_gripper(opened: Opened, asked: Asked) -> None:
     opened.page.click("text=Snap to gripper")
     shown = fields(opened)
@@ -390,6 +391,7 @@ def test_ends_that_meet_keep_their_distance(view: Opened) -> None:
         assert numbers[12] >= 0.05
 
 
+@pytest.mark.thorough
 def test_a_finger_drags_too(browser: Browser, tmp_path: Path, asked: Asked) -> None:
     view = pointer_page(browser, tmp_path, asked, phone=True)
     view.page.evaluate("n => { t.pointer.change(t.pose.withNumbers(t.pointer.pose, n)); }", THERE)

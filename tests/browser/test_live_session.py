@@ -156,6 +156,7 @@ def test_snapping_is_right_while_base_is_shifted(operator: Desk, viewer: Desk) -
     operator.ask("BASE 0,0,0")
 
 
+@pytest.mark.thorough
 def test_chat_and_names_are_text_whatever_they_hold(operator: Desk, viewer: Desk) -> None:
     viewer.page.click("#tab-chat")
     viewer.page.fill("#chat-text", "<script>window.attacked = true</script> & more")

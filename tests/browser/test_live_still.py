@@ -75,6 +75,7 @@ def held_back(
     return view, go_on
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     ("size", "path", "dark"),
     [

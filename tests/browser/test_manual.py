@@ -31,6 +31,7 @@ def page_of(name: str) -> Path:
     return built_site() / f"{name}.html"
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     ("name", "looks"),
     [
@@ -61,6 +62,7 @@ def searched(browser: Browser, words: str) -> Opened:
     return view
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     ("words", "title"),
     [("wait 2 seconds", "Wait 2 seconds"), ("MOVES", "MOVES"), ("V301", "V301 out-of-reach")],
@@ -85,6 +87,7 @@ def test_on_a_phone_the_list_of_pages_opens(browser: Browser) -> None:
     view.page.close()
 
 
+@pytest.mark.thorough
 def test_the_cheat_sheet_fits_on_two_pages(browser: Browser) -> None:
     view = opened(browser, page_of("look-up/cheat-sheet"))
     document = view.page.pdf(format="A4", prefer_css_page_size=True)
@@ -92,6 +95,7 @@ def test_the_cheat_sheet_fits_on_two_pages(browser: Browser) -> None:
     view.page.close()
 
 
+@pytest.mark.thorough
 def test_paper_has_the_text_and_nothing_to_press(browser: Browser) -> None:
     view = opened(browser, page_of("learn/01-cans-on-bases"))
     view.page.emulate_media(media="print")

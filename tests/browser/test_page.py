@@ -59,6 +59,7 @@ def test_it_opens_at_the_moment_of_the_cause(report: Opened) -> None:
     assert report.first_clock == pytest.approx(CONTACT_S[0], abs=1e-3)
 
 
+@pytest.mark.thorough
 def test_it_opens_at_the_time_of_its_address_to_every_digit(
     report: Opened, browser: Browser
 ) -> None:
@@ -74,6 +75,7 @@ def test_it_opens_at_the_time_of_its_address_to_every_digit(
     view.page.close()
 
 
+@pytest.mark.thorough
 def test_it_can_be_scrubbed_both_ways(report: Opened) -> None:
     seen: dict[float, bytes] = {}
     for t in (0.2, 1.3, 2.4, 1.3, 0.2):
@@ -84,6 +86,7 @@ def test_it_can_be_scrubbed_both_ways(report: Opened) -> None:
     assert len(set(seen.values())) == 3
 
 
+@pytest.mark.thorough
 def test_it_plays_forward_and_backward(report: Opened) -> None:
     middle = 0.6 * RUN_S  # far from both ends, where playing stops by itself
     seek(report, middle)
@@ -134,6 +137,7 @@ def test_the_lanes_show_the_run_and_go_where_they_are_clicked(report: Opened) ->
     assert clock(report) == pytest.approx(0.75 * RUN_S, abs=0.02)
 
 
+@pytest.mark.thorough
 def test_an_event_row_and_a_loss_jump_to_their_time(report: Opened) -> None:
     report.page.click("#events >> text=can1 grasped")
     assert clock(report) == pytest.approx(GRASP_S, abs=1e-3)

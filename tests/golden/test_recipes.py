@@ -16,6 +16,7 @@ LONGEST = 100  # lines: a page that is read in a minute
 SHORTEST = 3  # words that others say for it
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     "recipe",
     [pytest.param(r, marks=pytest.mark.thorough if r in MARKING else ()) for r in recipes()],

@@ -16,6 +16,7 @@ def readme(example: Path) -> str:
     return (example / "README.md").read_text(encoding="utf-8")
 
 
+@pytest.mark.thorough
 @each_example
 def test_every_command_of_a_tutorial_answers_as_shown(example: Path) -> None:
     steps = list(follow(readme(example), example))

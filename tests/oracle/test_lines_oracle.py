@@ -59,6 +59,7 @@ def cases(arm: Arm, count: int, seed: int) -> list[Case]:
     return found
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("seed", first(1, range(8)))
 @pytest.mark.parametrize("name", ["ur5", "puma761"])
 def test_random_lines_are_what_the_oracle_finds(name: str, seed: int) -> None:

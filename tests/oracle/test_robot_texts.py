@@ -134,6 +134,7 @@ FOLLOWED = [
 LINES_TURN = 1e-5  # lines of a serial arm are solved step by step, and end within this [rad]
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("part", FOLLOWED)
 def test_programs_drawn_by_chance_lead_where_the_run_went(part: int) -> None:
     """Whole programs with calls, loops, jumps and inputs, in both ways of their decisions."""

@@ -253,6 +253,7 @@ PARTS = [
 ]
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("part", PARTS)
 def test_programs_drawn_by_chance_do_the_same(part: int) -> None:
     """Motions, outputs with their times, what is typed, and both ways of decisions."""

@@ -137,6 +137,7 @@ def test_a_reaction_comes_at_once_and_the_arm_moves_on(
     assert not any(not isinstance(item, Motion) and item[0] == "stopj" for item in done)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("steps", [REACTI, HALTS, IGNORED, WAITS], ids=["on", "halt", "no", "wait"])
 @pytest.mark.parametrize("on_s", [0.4, 1.1, 99.0])
 def test_reacti_stops_the_arm_and_goes_on_behind_the_motion(steps: str, on_s: float) -> None:

@@ -127,6 +127,7 @@ CUBICS = cases(200, high=False)
 DEGREE_8 = cases(60, high=True)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(("first", "high"), CUBICS + DEGREE_8)
 def test_no_contact_that_sampling_finds_is_missed(first: int, high: bool) -> None:
     hits = 0

@@ -100,6 +100,7 @@ def test_merging_changes_no_answer_of_drawn_programs(number: int) -> None:
         compare(apart, searched(module, scene, environment, FEW))
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("number", [*USUAL, *MANY])
 @deep_stack()
 def test_merging_changes_no_answer(number: int) -> None:
@@ -128,12 +129,14 @@ def in_any_order(
         assert other.executed.numbers == usual.executed.numbers
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("number", [*USUAL, *MANY])
 @deep_stack()
 def test_the_order_changes_no_answer(number: int) -> None:
     in_any_order(compiled(looking(number)), ALONE, Environment(), number, MOST)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("number", [*DRAWN[:10], *LATER])
 @deep_stack()
 def test_the_order_changes_no_answer_of_drawn_programs(number: int) -> None:
@@ -162,6 +165,7 @@ def stays(search: Search, told: Told) -> list[Machine]:
     return shown
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("number", [*DRAWN, *MANY])
 @deep_stack()
 def test_what_a_scenario_shows_of_drawn_programs_is_among_the_futures(number: int) -> None:
@@ -200,12 +204,14 @@ def chance(draw: Random) -> Scenario:
     return Scenario(inputs=tuple(sorted(inputs)), process_first=tuple(turns))
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("number", [*USUAL, *MANY])
 @deep_stack()
 def test_what_a_scenario_shows_is_among_the_futures(number: int) -> None:
     among_the_futures(number, SCENARIOS)
 
 
+@pytest.mark.thorough
 @deep_stack()
 def test_a_corner_that_only_rounding_tells_from_another_is_among_the_futures() -> None:
     among_the_futures(9, 14)  # a coefficient lies on a border between rounded numbers

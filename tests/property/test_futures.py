@@ -82,6 +82,7 @@ class Told:
         return is_on(self.scenario, question.number, self.machine.now)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("number", [*USUAL, *MANY])
 @deep_stack()
 def test_a_future_that_is_told_a_scenario_does_what_the_engine_does(number: int) -> None:

@@ -41,6 +41,7 @@ def rendered(name: str, found: list[Diagnostic], form: Form, *, color: bool = Fa
     return render([Checked(name, tuple(found), compiles=False)], form, color=color)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("form", FORMS)
 @few
 @given(names, st.lists(diagnostics(), min_size=1, max_size=2))

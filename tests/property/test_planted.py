@@ -24,6 +24,7 @@ def cases() -> list[object]:
     ]
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("one", cases())
 def test_what_is_planted_is_found_and_nothing_else_is_told(one: Planted, tmp_path: Path) -> None:
     shown = vrts_text("prove", *one.written(tmp_path), "--format", "json", cwd=tmp_path)

@@ -5,6 +5,7 @@ from dataclasses import replace
 from fractions import Fraction
 from functools import cache
 
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -150,6 +151,7 @@ def numbers(text: str) -> list[Fraction]:
     return [Fraction(number.replace(MINUS, "-")) for number in found]
 
 
+@pytest.mark.thorough
 @settings(max_examples=laws.examples(200), deadline=None)
 @given(st.sampled_from(sorted(PROGRAMS)), tasks())
 def test_every_table_adds_up_to_the_mark(name: str, task: Task) -> None:

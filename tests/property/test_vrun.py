@@ -193,6 +193,7 @@ def keys_of(node: Any) -> list[Any]:
     return list(range(len(cast(list[Any], node)))) if isinstance(node, list) else []
 
 
+@pytest.mark.thorough
 @settings(max_examples=examples(300))
 @given(
     st.sampled_from(FILES),

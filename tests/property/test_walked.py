@@ -183,6 +183,7 @@ def walked(number: int, walks: int) -> tuple[int, set[What]]:
     return ended, decided
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("number", [*USUAL, *MANY])
 @deep_stack()
 def test_whatever_chance_brings_about_is_among_the_futures(number: int) -> None:

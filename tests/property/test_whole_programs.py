@@ -20,6 +20,7 @@ def looked(number: int) -> Looked:
     return Looked() if number % CLOSELY == 0 else LIGHTLY
 
 
+@pytest.mark.thorough
 def test_programs_of_every_kind_of_instruction() -> None:
     outcomes = [trial(number, looked(number)) for number in range(FEW)]
     while summed(outcomes).missing and len(outcomes) < MOST:

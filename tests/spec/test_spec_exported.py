@@ -37,6 +37,7 @@ def exported(case: Case, target: str) -> Written:
     return found
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("target", sorted(REFUSED))
 def test_programs_are_the_same_in_another_language(target: str) -> None:
     refused, lacking = 0, Counter[str]()

@@ -40,6 +40,7 @@ def test_a_contact_is_found_and_undone(tmp_path: Path) -> None:
         terminal.expect("at the beginning", "0.000 s of")
 
 
+@pytest.mark.thorough
 def test_breakpoints_values_and_commands(tmp_path: Path) -> None:
     with Terminal(["debug", str(HITS)], tmp_path, SIZE) as terminal:
         terminal.expect("▶ SPEED 60 ALWAYS")
@@ -62,6 +63,7 @@ def test_breakpoints_values_and_commands(tmp_path: Path) -> None:
         assert "left at" in terminal.said()
 
 
+@pytest.mark.thorough
 def test_what_changes_on_disk_is_told_and_taken_on_restart(tmp_path: Path) -> None:
     program = tmp_path / "count.v2"
     text = ".PROGRAM main()\n n = 1\n n = n+1\n TYPE n\n.END\n"
@@ -81,6 +83,7 @@ def test_what_changes_on_disk_is_told_and_taken_on_restart(tmp_path: Path) -> No
         terminal.expect("at the end", "n            42")
 
 
+@pytest.mark.thorough
 def test_the_rerun_viewer_is_asked_for(tmp_path: Path) -> None:
     no_display = {"DISPLAY": "", "WAYLAND_DISPLAY": "", "XDG_RUNTIME_DIR": str(tmp_path)}
     with Terminal(["debug", str(HITS)], tmp_path, SIZE, no_display) as terminal:
@@ -91,6 +94,7 @@ def test_the_rerun_viewer_is_asked_for(tmp_path: Path) -> None:
         assert "left at" in terminal.said()
 
 
+@pytest.mark.thorough
 def test_without_a_browser_and_at_any_size_the_session_goes_on(tmp_path: Path) -> None:
     none = {"PATH": "/usr/bin:/bin", "DISPLAY": "", "WAYLAND_DISPLAY": "", "TMPDIR": str(tmp_path)}
     record = tmp_path / "kept.txt"
@@ -118,6 +122,7 @@ def test_without_a_browser_and_at_any_size_the_session_goes_on(tmp_path: Path) -
     assert kept == ["break 12", "at 2.0", "continue"]
 
 
+@pytest.mark.thorough
 def test_a_small_terminal_is_told(tmp_path: Path) -> None:
     with Terminal(["debug", str(HITS)], tmp_path, (60, 15)) as terminal:
         terminal.expect("at least 72 x 20")

@@ -48,6 +48,7 @@ def run(words: "list[str | Path]", seed: str) -> bytes:
     return result.stdout
 
 
+@pytest.mark.thorough
 def test_results_do_not_depend_on_the_hash_seed(tmp_path: Path) -> None:
     outputs: list[bytes] = []
     pages: list[bytes] = []
@@ -92,6 +93,7 @@ safe 900 30 100 90 90 0
 """
 
 
+@pytest.mark.thorough
 def test_futures_do_not_depend_on_the_hash_seed(tmp_path: Path) -> None:
     program = tmp_path / "looking.v2"
     program.write_text(LOOKING, "utf-8")
@@ -116,6 +118,7 @@ def test_a_repetition_gives_the_same_events_and_segments(first: list[bytes]) -> 
     assert b"Grasped" in first[2]
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("seed", ["1", "4711", "random"])
 def test_events_and_segments_do_not_depend_on_the_hash_seed(first: list[bytes], seed: str) -> None:
     assert run(["-c", TOLD], seed).splitlines() == first

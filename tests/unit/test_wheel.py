@@ -40,6 +40,7 @@ def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return next(out.glob("vrts-*.whl"))
 
 
+@pytest.mark.thorough
 def test_the_wheel_holds_all_data(wheel: Path) -> None:
     names = set(zipfile.ZipFile(wheel).namelist())
     assert set(NEEDED) - names == set()
@@ -49,6 +50,7 @@ def test_the_wheel_holds_all_data(wheel: Path) -> None:
     assert not any(name.startswith("vrts/site/built/man/") for name in names)
 
 
+@pytest.mark.thorough
 def test_the_installed_wheel_marks_the_example(wheel: Path, tmp_path: Path) -> None:
     """Dependencies come from the environment of the tests, by a path; vrts itself does not."""
     home = tmp_path / "env"

@@ -45,6 +45,7 @@ def test_why_says_what_the_command_says(hits: vrts.Assessment) -> None:
     assert str(of_can) == asked.rstrip("\n")
 
 
+@pytest.mark.thorough
 def test_a_certificate_is_taken_by_the_checker(hits: vrts.Assessment, tmp_path: Path) -> None:
     found = vrts.certificate(hits)
     assert found.contacts == 1

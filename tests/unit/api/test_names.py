@@ -59,6 +59,7 @@ def test_compiling_loads_no_heavy_library() -> None:
     assert _printed(program) == "False"
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", ["scene", "why", "prove"])
 def test_a_folder_with_the_name_of_a_function_is_both(name: str) -> None:
     deep = {"scene": "model", "why": "chain", "prove": "proof"}[name]

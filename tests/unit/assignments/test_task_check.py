@@ -48,6 +48,7 @@ def test_a_program_that_fails_in_a_hidden_scene_gets_the_mark_of_that_scene(fold
     assert [d.rule.code for d in poor.findings if d.rule.code == "V678"] == ["V678"]
 
 
+@pytest.mark.thorough
 def test_the_reference_must_get_all_points_in_hidden_scenes_too(folder: Path) -> None:
     found = check_task(load_task(folder, staff=True), folder / "staff" / "solution.v2")
     assert not found.ready

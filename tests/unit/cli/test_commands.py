@@ -28,6 +28,7 @@ def vrts(
     return support_commands.vrts(*words, cwd=cwd, stdin=stdin, env=environment)
 
 
+@pytest.mark.thorough
 def test_alone_it_says_in_five_lines_what_to_type_where_nothing_is(tmp_path: Path) -> None:
     result = vrts(cwd=tmp_path)
     assert result.returncode == 0
@@ -126,6 +127,7 @@ def test_verify_writes_page_and_recording(tmp_path: Path) -> None:
     assert "verified without error" in checked.stdout + checked.stderr
 
 
+@pytest.mark.thorough
 def test_grading_gives_a_row_for_everything_and_status_0(tmp_path: Path) -> None:
     folder = tmp_path / "in"
     folder.mkdir()

@@ -26,6 +26,7 @@ def test_random_programs_run_as_they_did() -> None:
         assert same(written(run), before[case.name]), case.text
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("folder", sorted({Path(name).parts[1] for name in EXAMPLES}))
 def test_examples_run_as_they_did(folder: str) -> None:
     setting = with_controller(load_task(ROOT / "examples" / folder), VRTS_1.name)

@@ -81,6 +81,7 @@ def rescened(bundle: Bundle, **fields: object) -> Bundle:
     return manifested(bundle, scenarios=(msgspec.structs.replace(one, **fields),))
 
 
+@pytest.mark.thorough
 def test_a_bundle_holds_the_certificate_of_the_text_that_is_sent(
     sound: Bundle, tmp_path: Path
 ) -> None:
@@ -106,6 +107,7 @@ def test_a_bundle_holds_the_certificate_of_the_text_that_is_sent(
     assert "certificate" not in done.output
 
 
+@pytest.mark.thorough
 def test_a_bundle_of_an_arm_described_beside_its_scene_depends_on_no_folder(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -146,6 +148,7 @@ safe       900 30 100 90 90 0
 """
 
 
+@pytest.mark.thorough
 def test_the_distance_told_is_the_one_proven_whatever_was_asked_for() -> None:
     """Lifted by more than that, a can counts when it comes nearer to its base again."""
     told: list[float] = []
@@ -229,6 +232,7 @@ def test_a_missing_certificate_is_refused(sound: Bundle, change: Change, words: 
     assert words in found.headline
 
 
+@pytest.mark.thorough
 def test_a_certificate_of_another_program_is_refused(
     sound: Bundle, other: Bundle, tmp_path: Path
 ) -> None:

@@ -26,6 +26,7 @@ def files() -> dict[str, bytes]:
     return found
 
 
+@pytest.mark.thorough
 def test_goals_are_the_ways_of_the_run_one_after_the_other(files: dict[str, bytes]) -> None:
     run = assess(request_for(CANS / "solution.v2")).run
     assert run is not None

@@ -69,6 +69,7 @@ vim.cmd("qa!")
 """
 
 
+@pytest.mark.thorough
 @pytest.mark.skipif(NVIM is None, reason="needs Neovim")
 def test_neovim_has_one_server_for_all_buffers_and_runs_a_program_by_it(tmp_path: Path) -> None:
     assert NVIM is not None

@@ -85,6 +85,7 @@ def test_three_to_five_commands_are_told(kind: object, tmp_path: Path) -> None:
     assert found.text.isascii()
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("kind", FULL, ids=lambda kind: kind.__name__)
 def test_each_command_works_as_it_stands(kind: object, tmp_path: Path) -> None:
     typed(next(one for one in KINDS if one is kind)(tmp_path))

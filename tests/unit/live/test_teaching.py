@@ -53,6 +53,7 @@ def done(browser: Browser, lease: str, action: str, **fields: object) -> dict[st
     return browser.wait("result", lambda message: message["of"] == number)["result"]
 
 
+@pytest.mark.thorough
 def test_one_user_records_resets_rewinds_and_leaves_only_the_file(teaching: Teaching) -> None:
     cookie = teaching.supervisor()
     again = teaching.request("POST", "/enter", {"code": teaching.supervisor_token, "name": ""})
@@ -93,6 +94,7 @@ def test_one_user_records_resets_rewinds_and_leaves_only_the_file(teaching: Teac
     assert not [d for d in compiled.diagnostics if d.severity.value == "error"]
 
 
+@pytest.mark.thorough
 def test_ctrl_c_ends_it_and_says_what_was_written(tmp_path: Path) -> None:
     server = Teaching(tmp_path)
     with server:

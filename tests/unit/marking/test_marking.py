@@ -73,6 +73,7 @@ def test_everything_gets_a_row_and_its_files(tmp_path: Path) -> None:
     assert not found.layout.staging.exists() or not any(found.layout.staging.iterdir())
 
 
+@pytest.mark.thorough
 def test_only_what_changed_is_marked_again(tmp_path: Path) -> None:
     mark(tmp_path, *ENTRIES)
     again = mark(tmp_path, *ENTRIES)
@@ -83,6 +84,7 @@ def test_only_what_changed_is_marked_again(tmp_path: Path) -> None:
     assert all(not done.reused for done in mark(tmp_path, *ENTRIES, again=True).by_id.values())
 
 
+@pytest.mark.thorough
 def test_files_that_are_wanted_now_are_made_now(tmp_path: Path) -> None:
     mark(tmp_path, ENTRIES[0])
     found = mark(tmp_path, ENTRIES[0], wanted=Wanted(pages=True))
@@ -94,6 +96,7 @@ def test_files_that_are_wanted_now_are_made_now(tmp_path: Path) -> None:
     assert report.is_file()
 
 
+@pytest.mark.thorough
 def test_a_damaged_result_is_made_again(tmp_path: Path) -> None:
     first = mark(tmp_path, ENTRIES[0])
     place = first.layout.grader("anna") / "result.json"
@@ -114,6 +117,7 @@ def test_a_task_that_changed_changes_the_key(tmp_path: Path) -> None:
     assert Marker(Place(str(place)), PLAIN).key(GOOD) != before
 
 
+@pytest.mark.thorough
 def test_a_lost_process_is_no_zero(tmp_path: Path) -> None:
     limits = Limits(wall_s=0.001)  # nothing is marked so fast
     found = mark(tmp_path, ENTRIES[0], ENTRIES[1], limits=limits)
@@ -124,6 +128,7 @@ def test_a_lost_process_is_no_zero(tmp_path: Path) -> None:
     assert mark(tmp_path, ENTRIES[0]).marks() == {"anna": 10.0}, "the next call tries again"
 
 
+@pytest.mark.thorough
 def test_the_same_without_forking(tmp_path: Path) -> None:
     forked = mark(tmp_path / "forked", ENTRIES[0], ENTRIES[1])
     spawned = mark(tmp_path / "spawned", ENTRIES[0], ENTRIES[1], fork=False)
@@ -145,6 +150,7 @@ for done in mark_class(Marker(Place(TASK), PLAIN), entries, Layout(Path(sys.argv
 """
 
 
+@pytest.mark.thorough
 @pytest.mark.skipif(not CAN_FORK, reason="nothing is forked here")
 def test_a_marking_that_is_killed_goes_on_where_it_was(tmp_path: Path) -> None:
     command = [sys.executable, "-c", SLOW, str(tmp_path)]
@@ -163,6 +169,7 @@ def test_a_marking_that_is_killed_goes_on_where_it_was(tmp_path: Path) -> None:
     assert list(found.layout.staging.iterdir()) == []
 
 
+@pytest.mark.thorough
 def test_students_get_nothing_of_hidden_checks(tmp_path: Path) -> None:
     folder = tmp_path / "task"
     shutil.copytree(EXAMPLE, folder)
@@ -183,6 +190,7 @@ def test_students_get_nothing_of_hidden_checks(tmp_path: Path) -> None:
     assert json.loads((layout.student("anna") / "result.json").read_text())["mark"] == 10.0
 
 
+@pytest.mark.thorough
 def test_what_would_mend_a_program_is_for_those_who_mark(tmp_path: Path) -> None:
     """And only where they ask: marks, and what students get, are the same without it."""
     wrong = GOOD.replace(b"OPENI                           ; let go", b"CLOSEI ; let go")
@@ -199,6 +207,7 @@ def test_what_would_mend_a_program_is_for_those_who_mark(tmp_path: Path) -> None
     assert asked.result.key != plain.result.key
 
 
+@pytest.mark.thorough
 @pytest.mark.skipif(not CAN_FORK, reason="what starts anew knows nothing of the search here")
 def test_a_mark_stands_when_the_search_for_what_would_mend_is_ended(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch

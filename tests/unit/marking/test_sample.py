@@ -28,6 +28,7 @@ def marked(tmp_path_factory: pytest.TempPathFactory) -> tuple[Marker, tuple[Done
     return marker, tuple(mark_class(marker, ENTRIES, layout, jobs=2))
 
 
+@pytest.mark.thorough
 def test_marking_again_gives_the_same(marked: tuple[Marker, tuple[Done, ...]]) -> None:
     assert verify_sample(*marked, count=10, seed=1, jobs=2) == ()
 

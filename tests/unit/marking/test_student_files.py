@@ -44,6 +44,7 @@ def out(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
     return home / "out"
 
 
+@pytest.mark.thorough
 def test_each_has_two_reports(out: Path) -> None:
     for name in NAMES:
         ran = ["motion.json"] if name != "not-text" else []

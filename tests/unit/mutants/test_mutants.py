@@ -67,6 +67,7 @@ def test_the_files_are_as_they_are_written() -> None:
         assert written(of_this) == (FOLDER / f"{name}.jsonl").read_text(encoding="utf-8")
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", originals())
 def test_what_they_are_made_from_has_the_full_mark(name: str) -> None:
     original = originals()[name]

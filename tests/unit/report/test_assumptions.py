@@ -4,6 +4,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 from vrts.report.assumptions import assumptions_in, decisions, text_of
 
 SOURCE = '''
@@ -78,6 +80,7 @@ def test_a_module_without_marks_yields_nothing() -> None:
     assert assumptions_in("a", "X = 1\n") == []
 
 
+@pytest.mark.thorough
 def test_command_lists_known_decisions() -> None:
     vrts = Path(sys.executable).with_name("vrts")
     done = subprocess.run(

@@ -85,6 +85,7 @@ def _probes(kind: str) -> list[Path]:
     return sorted(PROBES.glob(f"{kind}-*.toml"))
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("kind", ["columns", "environment", "task"])
 def test_what_is_wrong_is_refused_by_both(kind: str) -> None:
     made = sum(_refused_by_both(kind, path) for path in _probes(kind))

@@ -33,6 +33,7 @@ def lesson(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return folder
 
 
+@pytest.mark.thorough
 def test_every_command_of_the_lesson_does_what_it_says(lesson: Path) -> None:
     text = (EXAMPLE / "README.md").read_text()
     lines = [line for block in FENCE.findall(text) for line in block.splitlines()]

@@ -330,6 +330,7 @@ def test_a_description_is_held_against_the_task_too(folder: Path) -> None:
     assert len(list(said(text))) == 2
 
 
+@pytest.mark.thorough
 def test_check_tells_write_mends_and_pack_writes_anew(folder: Path) -> None:
     task = folder / "task.toml"
     readme = folder / "README.md"

@@ -31,6 +31,7 @@ QUICK = 4
 GRIPS = (10, 36, 1, 39, 23)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("seed", first(QUICK, range(1, 71)))
 def test_nothing_is_missed_or_made_up_and_nobody_who_proposes_changes_it(seed: int) -> None:
     found = looked_at(seed, whole=False)
@@ -38,6 +39,7 @@ def test_nothing_is_missed_or_made_up_and_nobody_who_proposes_changes_it(seed: i
     assert found.differ == found.moments == []
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("seed", first(2, GRIPS))
 def test_what_pads_and_supports_may_touch_and_when_is_judged_alike(seed: int) -> None:
     found = looked_at(seed, whole=False, pads=True)
@@ -64,6 +66,7 @@ def test_bad_directions_make_near_misses_no_longer(
     assert looked < 1000
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("seed", [10572, 10596, 20804, 21331])
 def test_the_judge_is_not_stuck_where_thin_things_overlap(seed: int) -> None:
     # it took 0.42 mm for the depth of two cylinders that are 0.13 mm deep in each other

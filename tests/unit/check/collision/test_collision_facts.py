@@ -76,6 +76,7 @@ def looked_at(a: Assessment, found: dict[str, Any]) -> tuple[Array, Array]:
     return times, depth
 
 
+@pytest.mark.thorough
 def test_every_fact_of_a_contact_stands_in_the_json(tmp_path: Path) -> None:
     a = assessed(tmp_path, HITS)
     assert a.run is not None
@@ -100,6 +101,7 @@ def test_every_fact_of_a_contact_stands_in_the_json(tmp_path: Path) -> None:
     assert "APPROS base2_put" in HITS.splitlines()[found["line"] - 1]
 
 
+@pytest.mark.thorough
 def test_every_fact_of_a_graze_stands_in_the_json(tmp_path: Path) -> None:
     a = assessed(tmp_path, touching(SOLUTION).replace("-285.2", "-285.1"))
     assert a.grade is not None

@@ -63,6 +63,7 @@ def told(report: CollisionReport) -> object:
     )
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("by", ["own", "liar", "off", "plausible"])
 @pytest.mark.parametrize("seed", first(4, range(24)))
 def test_times_and_depths_do_not_depend_on_who_proposes(seed: int, by: str) -> None:

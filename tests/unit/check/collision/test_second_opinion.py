@@ -29,6 +29,7 @@ class Off(NamedTuple):
         return found._replace(second=found.second + self.too_far * found.normal)
 
 
+@pytest.mark.thorough
 def test_the_two_engines_agree_about_what_is_reported() -> None:
     with ByFcl() as by:
         for seed in range(12):

@@ -91,6 +91,7 @@ SHOWN = {
 }
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("kind", SHOWN, ids=lambda kind: kind.name)
 def test_each_entry_is_shown_by_a_program(kind: Kind) -> None:
     text, more = SHOWN[kind]

@@ -53,6 +53,7 @@ def retold(data: bytes, change: Change) -> bytes:
     return repacked(data, {MANIFEST: json.dumps(said).encode()})
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", ["free", "contact", "fall", "serial"])
 def test_what_is_written_is_read_again_and_holds(name: str) -> None:
     one = case(name)

@@ -135,6 +135,7 @@ def by_table(q: "np.ndarray[tuple[int], np.dtype[np.float64]]"):  # type: ignore
 # --- bounds ---------------------------------------------------------------------------------------
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", ["free", "fall", "serial"])
 @pytest.mark.parametrize("length", [0.02, 0.1, 0.4])
 def test_no_bound_is_more_than_the_distance(name: str, length: float) -> None:
@@ -169,6 +170,7 @@ def test_no_bound_is_more_than_the_distance(name: str, length: float) -> None:
 # --- what has to be covered -----------------------------------------------------------------------
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", CASES)
 def test_what_has_to_be_covered_is_what_the_search_looks_at(name: str) -> None:
     one = case(name)
@@ -438,6 +440,7 @@ def test_fingers_that_are_apart_have_let_go(monkeypatch: pytest.MonkeyPatch) -> 
         certified(one.scene, one.run, one.report)
 
 
+@pytest.mark.thorough
 def test_what_is_far_apart_counts_again(monkeypatch: pytest.MonkeyPatch) -> None:
     one = case("free")
     monkeypatch.setattr(parting, "AWAY", 1.0)  # whoever writes it says that it does not yet
@@ -457,6 +460,7 @@ def test_what_is_far_apart_counts_again(monkeypatch: pytest.MonkeyPatch) -> None
 AGAIN = "nothing shows that they do not come near again"
 
 
+@pytest.mark.thorough
 def test_what_comes_near_again_counts(monkeypatch: pytest.MonkeyPatch) -> None:
     one = case("again")
     assert one.report.clearance is not None

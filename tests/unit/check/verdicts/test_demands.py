@@ -98,6 +98,7 @@ def test_the_speed_of_joints_against_dense_samples(
     assert one(line, Demand(Keeps.JOINT_SPEED, "", POINT, None, share * factor)).answer is answer
 
 
+@pytest.mark.thorough
 def test_what_is_held_stays_upright_and_the_robot_out_of_zones() -> None:
     run = ran(SOLUTION, cans())
     asked = task(

@@ -48,6 +48,7 @@ def lab(made: Path, tmp_path: Path) -> Path:
     return Path(shutil.copytree(made / "lab", tmp_path / "lab"))
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     "origin",
     first(
@@ -82,6 +83,7 @@ def test_a_task_can_be_made_of_a_scene_that_is_there(tmp_path: Path) -> None:
     assert vrts("task", "check", "lab", cwd=tmp_path).returncode == 0
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("origin", first(1, [(), ("--from", "one-can-ur5")]))
 def test_everything_that_new_files_have_as_comments_passes_too(
     origin: tuple[str, ...], tmp_path: Path
@@ -115,6 +117,7 @@ def test_a_task_from_an_example_is_that_of_the_example(tmp_path: Path) -> None:
     assert (tmp_path / "lab" / "scene.toml").is_file()
 
 
+@pytest.mark.thorough
 def test_odd_names_and_titles_do_no_harm(tmp_path: Path) -> None:
     title = 'A "can"\\n{x}\n[task]'
     made = vrts("new", "task", "Übung (1)", "--title", title, cwd=tmp_path)
@@ -177,6 +180,7 @@ def test_a_task_without_reference_says_where_to_write_one(lab: Path) -> None:
     assert "`staff/solution.v2`" in result.stderr
 
 
+@pytest.mark.thorough
 def test_a_student_is_told_how_many_checks_are_left(made: Path, tmp_path: Path) -> None:
     shutil.copy(made / "lab-student.zip", tmp_path)
     shutil.copy(made / "lab" / "staff" / "solution.v2", tmp_path / "mine.v2")
@@ -191,6 +195,7 @@ def test_a_student_is_told_how_many_checks_are_left(made: Path, tmp_path: Path) 
     assert "not all public checks passed; 1 more at marking\n" in poor.stdout
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("task", first(1, ["lab", "lab-staff.zip"]))
 def test_marking_counts_hidden_checks_and_students_read_nothing_of_them(
     task: str, made: Path, tmp_path: Path
@@ -214,6 +219,7 @@ def test_marking_counts_hidden_checks_and_students_read_nothing_of_them(
     assert told == []
 
 
+@pytest.mark.thorough
 def test_no_student_artefact_holds_a_value_of_the_staff(made: Path, tmp_path: Path) -> None:
     """The zip, unpacked; and whatever the commands of a student print and write."""
     with zipfile.ZipFile(made / "lab-student.zip") as archive:
@@ -241,6 +247,7 @@ def test_no_student_artefact_holds_a_value_of_the_staff(made: Path, tmp_path: Pa
         assert all(number.encode() not in data for data in small)
 
 
+@pytest.mark.thorough
 def test_a_modified_scene_is_stamped_on_every_result(made: Path, tmp_path: Path) -> None:
     with zipfile.ZipFile(made / "lab-student.zip") as archive:
         archive.extractall(tmp_path)
@@ -258,6 +265,7 @@ def test_a_modified_scene_is_stamped_on_every_result(made: Path, tmp_path: Path)
     assert stamp in as_json.stdout
 
 
+@pytest.mark.thorough
 def test_scene_check_tells_what_the_reader_refuses_and_what_it_lets_pass(tmp_path: Path) -> None:
     assert vrts("new", "scene", "cell", cwd=tmp_path).returncode == 0
     scene = tmp_path / "cell" / "scene.toml"
@@ -323,6 +331,7 @@ def test_watching_draws_the_map_and_goes_on_after_a_mistake(tmp_path: Path) -> N
     assert "V600" in broken.stderr
 
 
+@pytest.mark.thorough
 def test_a_new_lab_changes_nothing_until_it_is_filled_in(tmp_path: Path) -> None:
     plain = vrts("scene", "show", "cans-on-bases", cwd=tmp_path).stdout.splitlines()
     assert vrts("new", "lab", "room", cwd=tmp_path).returncode == 0
@@ -431,6 +440,7 @@ def test_a_point_that_nobody_can_move_to_is_not_saved(tmp_path: Path) -> None:
     assert "tried: MOVE gets there only after RIGHTY" in behind.stdout
 
 
+@pytest.mark.thorough
 def test_a_scene_is_shown_with_what_was_tried_in_its_task(tmp_path: Path) -> None:
     folder = tmp_path / "bricks"
     folder.mkdir()
@@ -446,6 +456,7 @@ def test_a_scene_is_shown_with_what_was_tried_in_its_task(tmp_path: Path) -> Non
     assert "brick_put" in (tmp_path / "mine.v2").read_text()
 
 
+@pytest.mark.thorough
 def test_a_new_task_of_a_turned_brick_is_ready(tmp_path: Path) -> None:
     folder = tmp_path / "bricks"
     folder.mkdir()

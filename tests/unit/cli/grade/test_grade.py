@@ -66,6 +66,7 @@ def test_a_download_is_marked_and_only_what_changed_is_marked_again(home: Path) 
     assert after["Zoltan Kis"] != before["Zoltan Kis"]
 
 
+@pytest.mark.thorough
 def test_what_marking_wrote_itself_does_not_hide_what_is_handed_in_later(home: Path) -> None:
     assert vrts("grade", "task", "download", "-o", "out", cwd=home).returncode == 0
     shutil.rmtree(home / "download" / "Zoltan Kis_102_assignsubmission_file_")
@@ -74,6 +75,7 @@ def test_what_marking_wrote_itself_does_not_hide_what_is_handed_in_later(home: P
     assert rows(home)["Zoltan Kis"]["handed_in"]["file"].endswith("other.v2")
 
 
+@pytest.mark.thorough
 def test_a_table_that_the_teacher_edited_is_obeyed_from_then_on(home: Path) -> None:
     assert vrts("grade", "task", "download", "-o", "out", cwd=home).returncode == 0
     table = home / "out" / "staff" / "intake.csv"
@@ -91,6 +93,7 @@ def test_a_table_that_the_teacher_edited_is_obeyed_from_then_on(home: Path) -> N
         assert (row["result"]["kind"], row["final"]) == ("excused", None)
 
 
+@pytest.mark.thorough
 def test_changes_by_hand_survive_marking_again_beside_the_computed_mark(home: Path) -> None:
     assert vrts("grade", "task", "download", "-o", "out", cwd=home).returncode == 0
     identifier = rows(home)["Zoltan Kis"]["id"]
@@ -116,6 +119,7 @@ def test_changes_by_hand_survive_marking_again_beside_the_computed_mark(home: Pa
     assert rows(home)["Zoltan Kis"]["final"] == 8.5, "nothing is lost"
 
 
+@pytest.mark.thorough
 def test_lateness_by_the_rules_of_the_task(home: Path) -> None:
     task = home / "task" / "task.toml"
     task.write_text(task.read_text() + LATE)
@@ -133,6 +137,7 @@ def test_lateness_by_the_rules_of_the_task(home: Path) -> None:
     assert row["late"]["by_s"] == 25 * 3600
 
 
+@pytest.mark.thorough
 def test_a_mark_that_may_lack_a_deduction_is_told_counted_and_kept_back(home: Path) -> None:
     task = home / "task" / "task.toml"
     task.write_text(task.read_text() + LATE)
@@ -161,6 +166,7 @@ def test_nothing_handed_in_is_a_wrong_call(home: Path) -> None:
     assert not (home / "out").exists()
 
 
+@pytest.mark.thorough
 def test_what_was_not_looked_for_is_not_said_to_be_there_or_not(home: Path) -> None:
     words = ("--no-collisions", "-o", "out")
     said = vrts("grade", "task", "download", *words, cwd=home)
@@ -170,12 +176,14 @@ def test_what_was_not_looked_for_is_not_said_to_be_there_or_not(home: Path) -> N
     assert "contacts were not looked for" in (home / "out" / "staff" / "marks.csv").read_text()
 
 
+@pytest.mark.thorough
 def test_a_sample_marked_again_is_the_same(home: Path) -> None:
     result = vrts("grade", "task", "download", "-o", "out", "--verify", "--sample", "2", cwd=home)
     assert result.returncode == 0
     assert "none differ" in result.stdout + result.stderr
 
 
+@pytest.mark.thorough
 def test_marks_come_as_a_table_and_in_other_formats(home: Path) -> None:
     words = ("--export", "junit", "--export", "moodle-feedback")
     result = vrts("grade", "task", "download", "-o", "out", *words, cwd=home)

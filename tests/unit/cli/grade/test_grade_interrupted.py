@@ -67,6 +67,7 @@ def purge(home: Path, *words: str) -> Result:
     return CliRunner().invoke(vrts, ["purge", str(home / "out"), *words])
 
 
+@pytest.mark.thorough
 def test_ctrl_c_says_how_far_it_was_and_the_same_call_goes_on(home: Path) -> None:
     told = ended_early(home, signal.SIGINT, "-o", "out")
     assert told.returncode == 130, told.stderr
@@ -88,12 +89,14 @@ def test_ctrl_c_says_how_far_it_was_and_the_same_call_goes_on(home: Path) -> Non
     assert about["begun"] < about["finished"]
 
 
+@pytest.mark.thorough
 def test_without_a_folder_nothing_is_kept(home: Path) -> None:
     told = ended_early(home, signal.SIGINT)
     assert told.returncode == 130
     assert re.fullmatch(COUNT + "nothing is kept without `-o`\n", told.stderr)
 
 
+@pytest.mark.thorough
 def test_what_a_killed_marking_left_can_be_purged(home: Path) -> None:
     told = ended_early(home, signal.SIGKILL, "-o", "out")
     assert told.returncode == -signal.SIGKILL

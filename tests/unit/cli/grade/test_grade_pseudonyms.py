@@ -58,6 +58,7 @@ def out(download: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
+@pytest.mark.thorough
 def test_no_name_is_anywhere_but_in_one_table(out: Path) -> None:
     files = [path for path in out.rglob("*") if path.is_file()]
     assert len(files) > 10
@@ -93,6 +94,7 @@ def test_a_second_marking_has_the_same_ids_and_marks_nothing_anew(
     assert {p: p.stat().st_mtime_ns for p in (out / "students").rglob("report.html")} == before
 
 
+@pytest.mark.thorough
 def test_names_do_not_come_in_later(out: Path, download: Path, tmp_path: Path) -> None:
     done = call("grade", EXAMPLE, download, "-o", out)
     assert done.exit_code == 1
@@ -103,6 +105,7 @@ def test_names_do_not_come_in_later(out: Path, download: Path, tmp_path: Path) -
     assert call("grade", EXAMPLE, download, "--pseudonyms").exit_code == 2
 
 
+@pytest.mark.thorough
 def test_evidence_is_found_by_name_and_has_none(out: Path, tmp_path: Path) -> None:
     import zipfile
 

@@ -70,6 +70,7 @@ def test_a_reader_that_leaves_gets_no_word_and_no_false_status() -> None:
     assert (said.returncode, said.stderr) == (141, "")
 
 
+@pytest.mark.thorough
 @needs_full
 def test_words_that_cannot_be_said_leave_a_status() -> None:
     assert shell(("compile", HITS), "2>/dev/full").returncode == 2
@@ -190,6 +191,7 @@ def waits_for_more(end: int, pid: int) -> bool:
     return not state.exists() or state.read_text().rpartition(")")[2].split()[0] == "S"
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("words", READING, ids=lambda words: words[0])
 def test_ctrl_c_is_130(words: tuple[str, ...], tmp_path: Path) -> None:
     fifo = tmp_path / "in.v2"

@@ -61,6 +61,7 @@ def test_every_command_of_the_readme_is_understood(
     assert (found.exit_code, len(called)) == (0, 1), found.output
 
 
+@pytest.mark.thorough
 def test_commands_of_the_readme_are_carried_out(tmp_path: Path) -> None:
     for file in ("solution.v2", "task.toml"):
         name = "prog.v2" if file == "solution.v2" else file
@@ -95,6 +96,7 @@ OLD_CALLS = [  # each old name once: what is typed, and what is said
 ]
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(("words", "now"), OLD_CALLS, ids=[now for _, now in OLD_CALLS])
 def test_an_old_name_works_and_is_told_once(words: list[str], now: str, tmp_path: Path) -> None:
     (tmp_path / "prog.v2").write_bytes((EXAMPLE / "solution.v2").read_bytes())

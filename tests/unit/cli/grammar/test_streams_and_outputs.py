@@ -35,6 +35,7 @@ def test_every_option_that_writes_a_file_is_looked_at_first(words: str) -> None:
             assert known, f"`vrts {words} {name}`"
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("words", ["run", "verify", "prove", "view"])
 def test_what_cannot_be_written_is_told_before_a_program_is_read(
     words: str, tmp_path: Path

@@ -28,6 +28,7 @@ def program(tmp_path: Path) -> Path:
     return path
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("level", first(2, TOLD))  # `edit` is what is shown below
 def test_no_more_is_told_than_the_task_allows(level: str, program: Path) -> None:
     task = program.parent / "task.toml"
@@ -45,6 +46,7 @@ def test_no_more_is_told_than_the_task_allows(level: str, program: Path) -> None
         assert result.returncode == 1
 
 
+@pytest.mark.thorough
 def test_the_change_is_shown_and_written(program: Path) -> None:
     result = vrts("fix", "--behaviour", "--diff", program)
     assert b"+        APPRO start, 120 " in result.stdout
@@ -55,6 +57,7 @@ def test_the_change_is_shown_and_written(program: Path) -> None:
     assert b"nothing to mend: it earns 10" in result.stderr
 
 
+@pytest.mark.thorough
 def test_where_nothing_mends_a_program_it_is_told_where_points_go(tmp_path: Path) -> None:
     """The whole way round the walls is missing: no place to begin with."""
     shutil.copy(EXAMPLES[2] / "task.toml", tmp_path)

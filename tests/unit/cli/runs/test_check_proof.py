@@ -25,6 +25,7 @@ def proofs(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
+@pytest.mark.thorough
 def test_a_certificate_says_what_is_proven_and_of_what(proofs: Path) -> None:
     result = vrts("check-proof", proofs / "run.cert", SOLUTION)
     assert result.returncode == 0
@@ -63,6 +64,7 @@ def described_arm(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
+@pytest.mark.thorough
 def test_a_certificate_does_not_depend_on_where_it_was_written(described: Path) -> None:
     """Nor on how paths were typed: none is in it."""
     found: set[bytes] = set()
@@ -107,6 +109,7 @@ def test_files_that_a_scene_names_come_along(described: Path, tmp_path: Path) ->
     assert b"the files of its scene have other lengths" in result.stderr
 
 
+@pytest.mark.thorough
 def test_it_is_about_one_program_scene_and_run(proofs: Path, tmp_path: Path) -> None:
     for words, what in (
         ((HITS,), b"it is about another program"),
@@ -126,6 +129,7 @@ def test_it_is_about_one_program_scene_and_run(proofs: Path, tmp_path: Path) -> 
     assert b"it is about another program" in result.stderr
 
 
+@pytest.mark.thorough
 def test_the_controller_model_is_part_of_what_a_certificate_is_about(
     proofs: Path, tmp_path: Path
 ) -> None:

@@ -71,6 +71,7 @@ def test_python_fcl_dies_of_this_run(folder: Path) -> None:
     assert found.certified
 
 
+@pytest.mark.thorough
 def test_the_command_says_the_same_whoever_proposes(folder: Path) -> None:
     words = ("verify", "touch.v2", "--scene", "scene.toml", "--color", "never")
     usual = vrts(*words, cwd=folder)  # coal proposes, and fcl gives the second opinion
@@ -90,6 +91,7 @@ def started(*words: str | Path, path: str) -> "subprocess.CompletedProcess[bytes
     )
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     ("program", "status"), [("solution.v2", 0), ("submissions/hits-base.v2", 1)]
 )

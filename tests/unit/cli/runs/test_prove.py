@@ -141,6 +141,7 @@ LONG_REPLAYS = """\
 """
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("jobs", ["1", "2"])
 def test_ctrl_c_ends_replays_and_their_workers(jobs: str, tmp_path: Path) -> None:
     program = tmp_path / "slow.v2"

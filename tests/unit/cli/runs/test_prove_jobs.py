@@ -72,6 +72,7 @@ def told(folder: Path, names: tuple[str, ...], jobs: str, seed: str) -> tuple[He
     return {one.relative_to(folder): one.read_bytes() for one in files}, int(result.stdout)
 
 
+@pytest.mark.thorough
 def test_the_bytes_are_the_same_on_any_number_of_cores(tmp_path: Path) -> None:
     """Text, JSON, counterexamples, exit status; hashes are seeded differently, too."""
     (one, none), (two, some) = (told(tmp_path / k, NAMES, k, k) for k in ("1", "2"))
@@ -124,6 +125,7 @@ def test_ctrl_c_gives_replays_up_and_tells_what_is_known(tmp_path: Path) -> None
         assert all_ended(watched)
 
 
+@pytest.mark.thorough
 def test_ctrl_c_twice_leaves_a_search_that_others_certify_for(tmp_path: Path) -> None:
     """The first worker of this program is one that certifies while the search goes on."""
     (one,) = (one for one in planted() if one.name == "O01")
@@ -136,6 +138,7 @@ def test_ctrl_c_twice_leaves_a_search_that_others_certify_for(tmp_path: Path) ->
         assert all_ended(watched)
 
 
+@pytest.mark.thorough
 def test_a_worker_that_is_killed_changes_nothing_of_a_proof(tmp_path: Path) -> None:
     (one,) = (one for one in planted() if one.name == "S07")
     words = ["prove", *one.written(tmp_path), "--jobs", "2"]
@@ -147,6 +150,7 @@ def test_a_worker_that_is_killed_changes_nothing_of_a_proof(tmp_path: Path) -> N
         assert all_ended(watched)
 
 
+@pytest.mark.thorough
 def test_ctrl_c_ends_a_plan_and_its_workers(tmp_path: Path) -> None:
     program = str(ROOT / "examples" / "01-cans-on-bases" / "solution.v2")
     words = ["dispatch", "plan", program, "--profile", "mark2-val2", "-o", "x.bundle"]

@@ -24,6 +24,7 @@ def saved(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
+@pytest.mark.thorough
 def test_a_saved_run_is_asked_as_a_program_is(saved: Path) -> None:
     for words in (
         ("--at", "2.8"),
@@ -78,6 +79,7 @@ def test_the_end_may_be_given_as_it_is_printed(saved: Path) -> None:
         assert vrts("run", saved, *words).returncode == 0
 
 
+@pytest.mark.thorough
 def test_wrong_calls_say_what_is_wrong(saved: Path, tmp_path: Path) -> None:
     program = tmp_path / "fails.v2"
     program.write_text(FAILS)
@@ -225,6 +227,7 @@ FAST = """.PROGRAM main
 """
 
 
+@pytest.mark.thorough
 def test_a_joint_that_is_too_fast_is_told_as_verify_tells_it(tmp_path: Path) -> None:
     program = tmp_path / "fast.v2"
     program.write_text(FAST)

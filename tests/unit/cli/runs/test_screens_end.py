@@ -41,6 +41,7 @@ def shown(screens: list[Child], folder: Path, *words: str) -> Child:
     return screens[-1]
 
 
+@pytest.mark.thorough
 def test_in_the_debugger_ctrl_c_gives_a_typed_line_up_and_ctrl_d_leaves(
     folder: Path, screens: list[Child]
 ) -> None:
@@ -56,6 +57,7 @@ def test_in_the_debugger_ctrl_c_gives_a_typed_line_up_and_ctrl_d_leaves(
     assert child.status() == 0
 
 
+@pytest.mark.thorough
 def test_in_the_debugger_ctrl_c_gives_up_what_is_worked_out(
     folder: Path, screens: list[Child]
 ) -> None:
@@ -88,6 +90,7 @@ def test_at_the_pendant_ctrl_c_stops_the_arm_and_ctrl_d_keeps_what_was_recorded(
     assert abs(float(second.split()[4]) - float(first.split()[4])) < 45.0  # not all of the way
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     ("words", "ready"),
     [(("monitor", "prog.v2"), "Ctrl-D leaves"), (("debug", "prog.v2"), "0.000 s of")],

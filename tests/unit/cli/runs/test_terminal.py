@@ -101,6 +101,7 @@ def test_what_programs_write_cannot_steer_the_terminal(folder: Path) -> None:
     assert "\a" not in shown
 
 
+@pytest.mark.thorough
 def test_the_monitor_at_a_terminal(folder: Path) -> None:
     child = Child(["monitor", "cell.v2"], folder)
     child.expect("Ctrl-D leaves")

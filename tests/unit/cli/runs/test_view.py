@@ -29,6 +29,7 @@ def vrts(folder: Path, *words: str) -> tuple[int, str]:
     return done.returncode, done.stdout + done.stderr
 
 
+@pytest.mark.thorough
 def test_a_saved_run_becomes_a_page(folder: Path) -> None:
     assert vrts(folder, "view", "out.vrun", "--no-open") == (0, "wrote out.html\n")
     page = (folder / "out.html").read_text()

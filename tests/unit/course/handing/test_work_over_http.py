@@ -55,6 +55,7 @@ def marked(server: LiveServer, cookie: str) -> Json:
     raise AssertionError("it was never marked")
 
 
+@pytest.mark.thorough
 def test_the_public_mark_is_that_of_marking_and_nothing_hidden_leaves(
     server: LiveServer, cookies: tuple[str, str], tmp_path: Path
 ) -> None:

@@ -62,6 +62,7 @@ def me(both: Both, visitor: Visitor) -> dict[str, object] | None:
     return json.loads(said) if status == 200 else None
 
 
+@pytest.mark.thorough
 @needs_provider
 def test_who_is_on_the_list_comes_in_with_their_role(both: Both) -> None:
     door = both.server.request("GET", "/door").json

@@ -80,6 +80,7 @@ def reading() -> Run:
     return execute(compiled(READING, "val2+"), robot_alone(), scenario)
 
 
+@pytest.mark.thorough
 def test_what_the_machine_tells_is_what_the_program_itself_reads_there() -> None:
     run = reading()
     d = Debugger(run, DIALECTS["val2+"])

@@ -266,6 +266,7 @@ def test_after_a_bad_header_it_goes_on(data: bytes) -> None:
     assert [message and message["command"] for message in found] == ["initialize"] * 2 + [None]
 
 
+@pytest.mark.thorough
 def test_it_is_heard_while_it_works_on_conditions(client: Client, tmp_path: Path) -> None:
     path = tmp_path / "endless.v2"
     path.write_text(".PROGRAM main\n n = 0\n10 n = n+1\n WAIT n > 0\n GOTO 10\n.END\n")
@@ -396,6 +397,7 @@ def test_it_says_what_of_a_client_it_does_not_understand(client: Client) -> None
     assert not client.ask("initialize", pathFormat="uri")["success"]
 
 
+@pytest.mark.thorough
 def test_a_program_that_never_ends_is_over_and_can_be_asked(client: Client, tmp_path: Path) -> None:
     path = tmp_path / "endless.v2"
     path.write_text(".PROGRAM main\n n = 0\n10 n = n+1\n WAIT n > 0\n GOTO 10\n.END\n")

@@ -38,6 +38,7 @@ def play(scene: str, program: Path) -> None:
     assert done.returncode == 0, done.stdout + done.stderr
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("example", FIRST_AND_OTHERS)  # the others are thorough
 def test_every_example_goes_forward_and_back(example: Path) -> None:
     play("forward and back", example)
@@ -47,6 +48,7 @@ def test_a_contact_stops_with_the_line_that_caused_it() -> None:
     play("contact", HITS)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     "scene", ["forward and back", "breakpoint", "another future", "changes", "without debugging"]
 )

@@ -37,6 +37,7 @@ def marked(home: Path, *options: str) -> Path:
     return out
 
 
+@pytest.mark.thorough
 def test_ready_programs_stand_in_order_of_clearance_and_mark(tmp_path: Path) -> None:
     out = marked(tmp_path)
     found = call("dispatch", "choose", str(out))
@@ -53,6 +54,7 @@ def test_ready_programs_stand_in_order_of_clearance_and_mark(tmp_path: Path) -> 
     assert data["marked"] == 3
 
 
+@pytest.mark.thorough
 def test_nobody_is_named_where_the_class_has_pseudonyms(tmp_path: Path) -> None:
     out = marked(tmp_path, "--pseudonyms")
     assert (out / "staff" / "names.csv").is_file()
@@ -63,6 +65,7 @@ def test_nobody_is_named_where_the_class_has_pseudonyms(tmp_path: Path) -> None:
         assert name not in found.stdout
 
 
+@pytest.mark.thorough
 def test_a_larger_clearance_comes_first_and_less_than_a_millimetre_does_not_count(
     tmp_path: Path,
 ) -> None:
@@ -87,6 +90,7 @@ def test_what_is_no_marking_is_refused(tmp_path: Path) -> None:
     assert "vrts grade" in found.output
 
 
+@pytest.mark.thorough
 def test_only_a_proof_says_ready_in_every_future(tmp_path: Path) -> None:
     task = tmp_path / "asks"
     shutil.copytree(EXAMPLE, task, ignore=shutil.ignore_patterns("submissions"))

@@ -29,6 +29,7 @@ def within(text: str) -> str:
     return f"[lab.robot.built.within]\n{text}"
 
 
+@pytest.mark.thorough
 def test_a_program_that_is_safe_on_the_assumed_robot_is_refused_on_the_one_found(
     tmp_path: Path,
 ) -> None:
@@ -46,6 +47,7 @@ def test_what_the_log_left_open_is_a_margin_of_its_own(tmp_path: Path) -> None:
     assert "the zero of joint 2 at the upper end" in one.headline
 
 
+@pytest.mark.thorough
 def test_bundle_and_sheet_keep_the_robot_and_it_is_planned_again(tmp_path: Path) -> None:
     lab = "stands_off_deg = [0, 0, 0.05, 0, 0, 0]\ntool_mm = [0, 0, 1]\n"
     lab += within("stands_off_deg = [0, 0, 0.01, 0, 0, 0]\nspeed_percent = [1, 1, 1, 1, 1, 1]\n")
@@ -70,6 +72,7 @@ def test_bundle_and_sheet_keep_the_robot_and_it_is_planned_again(tmp_path: Path)
     assert "as it was found" not in plain.bundle.sheet
 
 
+@pytest.mark.thorough
 def test_without_doubt_nothing_more_is_tried(tmp_path: Path) -> None:
     found = planned(OVER, setting(tmp_path, "zero_deg = [0, 0, 0.01, 0, 0, 0]\n"))
     assert found.bundle is not None, found.refused

@@ -81,6 +81,7 @@ def cans() -> Bundle:
 # --- the bundle -----------------------------------------------------------------------------------
 
 
+@pytest.mark.thorough
 def test_the_solution_of_an_example_is_planned(cans: Bundle) -> None:
     manifest = cans.manifest
     assert list(cans.programs) == ["carry", "main"]
@@ -195,6 +196,7 @@ def test_locations_are_verified_as_the_controller_prints_them() -> None:
     assert "differ, and are the same" in found.refused[0].headline
 
 
+@pytest.mark.thorough
 def test_what_holds_only_with_the_decimals_of_the_file_is_refused() -> None:
     """Fingers on the table: two rounded locations, one from the other, press them into it."""
     data = ".LOCATIONS\nf 900 30 -142.55 90 -90 0\ng 0 0 -142.55 90 90 0\n.END\n"
@@ -206,6 +208,7 @@ def test_what_holds_only_with_the_decimals_of_the_file_is_refused() -> None:
     assert "V809" not in codes(planned(text))
 
 
+@pytest.mark.thorough
 def test_a_clearance_that_is_too_small_is_refused_where_it_is() -> None:
     low = main("MOVE safe", "MOVES SHIFT(safe BY 0, 0, -380)", "BREAK", "DEPARTS 200")
     found = planned(low)
@@ -214,6 +217,7 @@ def test_a_clearance_that_is_too_small_is_refused_where_it_is() -> None:
     assert planned(low, clearance_mm=3.0).bundle is not None
 
 
+@pytest.mark.thorough
 def test_a_program_that_only_works_in_the_scene_as_it_is_has_no_margin() -> None:
     """The can is grasped 9 mm beside the middle of the pads, along them: 3 mm more lose it."""
     text = (CANS / "solution.v2").read_text("utf-8")
@@ -239,6 +243,7 @@ def failing() -> Plan:
     return planned(FAILS)
 
 
+@pytest.mark.thorough
 def test_both_ways_of_an_input_are_looked_at_without_a_scenario() -> None:
     found = planned(DECIDES)
     assert found.bundle is not None, found.refused
@@ -249,6 +254,7 @@ def test_both_ways_of_an_input_are_looked_at_without_a_scenario() -> None:
     assert "input 1001: on or off" in found.bundle.sheet
 
 
+@pytest.mark.thorough
 def test_what_goes_wrong_in_some_future_is_refused_with_what_came_from_outside() -> None:
     found = failing()
     assert codes(found) == ["V815"]
@@ -257,6 +263,7 @@ def test_what_goes_wrong_in_some_future_is_refused_with_what_came_from_outside()
     assert any("input 1001 is on" in note for note in one.notes)
 
 
+@pytest.mark.thorough
 def test_an_environment_says_what_cannot_come() -> None:
     off = MappingProxyType({1001: Held(on=False)})
     never = Environment(title="the guard is shut", inputs=off, digest="0" * 64)
@@ -265,6 +272,7 @@ def test_an_environment_says_what_cannot_come() -> None:
     assert planned(DECIDES, environment=never).refused != ()
 
 
+@pytest.mark.thorough
 def test_what_was_executed_before_may_be_executed_again() -> None:
     text = main(
         *("IF NOT DEFINED(n) THEN", "n = 0", "END", "n = n+1"),
@@ -275,6 +283,7 @@ def test_what_was_executed_before_may_be_executed_again() -> None:
     assert sum("executed again" in note for note in one.notes) == 3
 
 
+@pytest.mark.thorough
 def test_what_nobody_says_of_answers_is_refused(tmp_path: Path) -> None:
     one = scenario(tmp_path, "one", '[prompts]\nanswers = ["1"]\n')
     found = planned(main('PROMPT "how far? ", x', "DRIVE 1, x, 50", "READY"), one)
@@ -297,6 +306,7 @@ def test_answers_that_a_program_tells_apart_itself_need_no_environment(tmp_path:
     )
 
 
+@pytest.mark.thorough
 def test_an_analog_input_that_only_decides_needs_no_scenario() -> None:
     decides = main("IF ADC(1) > 500 THEN", "READY", "END", "READY")
     found = planned(decides)
@@ -306,6 +316,7 @@ def test_an_analog_input_that_only_decides_needs_no_scenario() -> None:
     assert codes(planned(main("x = ADC(1)/100", "DRIVE 1, x, 50", "READY"))) == ["V811"]
 
 
+@pytest.mark.thorough
 def test_what_the_environment_says_is_typed_where_no_scenario_says_anything() -> None:
     asks = main('PROMPT "how far? ", x', "DRIVE 1, x, 50", 'PROMPT "and? ", x, y', "READY")
     told = Environment(title="1 to 2", answers=Answers(least=1, most=2, whole=True))
@@ -320,6 +331,7 @@ def test_a_motion_that_no_future_executes_is_refused() -> None:
     assert codes(found) == ["V810"]
 
 
+@pytest.mark.thorough
 def test_scenarios_add_up(tmp_path: Path) -> None:
     on = scenario(tmp_path, "on", "[[inputs]]\nsignal = 1001\non_s = [0.0]\n")
     off = scenario(tmp_path, "off", "")
@@ -350,6 +362,7 @@ def test_a_path_that_depends_on_what_was_not_tried_is_refused(
     assert what in said[0]
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     "steps",
     [
@@ -370,6 +383,7 @@ def test_what_futures_try_in_every_way_is_no_reason_to_refuse(steps: tuple[str, 
     assert found.bundle is not None, [d.headline for d in found.refused]
 
 
+@pytest.mark.thorough
 def test_waiting_for_an_input_is_no_decision(tmp_path: Path) -> None:
     comes = scenario(tmp_path, "comes", "[[inputs]]\nsignal = 1001\non_s = [0.5]\n")
     found = planned(main("MOVE safe", "WAIT SIG(1001)", "READY"), comes)
@@ -383,6 +397,7 @@ def test_waiting_for_an_input_is_no_decision(tmp_path: Path) -> None:
 # --- waivers --------------------------------------------------------------------------------------
 
 
+@pytest.mark.thorough
 def test_a_waiver_stands_in_manifest_and_sheet_and_an_idle_one_does_not() -> None:
     refused = failing().refused
     names = [finding_of(one) for one in refused]
@@ -404,6 +419,7 @@ def test_a_waiver_stands_in_manifest_and_sheet_and_an_idle_one_does_not() -> Non
 DEEPER = ("MOVE SHIFT(safe BY 0, 0, -500)", "BREAK")
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     "other",
     [
@@ -425,6 +441,7 @@ def test_a_waiver_covers_one_finding_at_one_place(other: str) -> None:
     assert found.idle == tuple(sorted(names))
 
 
+@pytest.mark.thorough
 def test_of_two_findings_of_one_kind_one_is_waived_alone() -> None:
     first, second = failing().refused
     promise = Promise(finding_of(first), "measured", "R. Huber")
@@ -453,6 +470,7 @@ def test_a_code_alone_says_not_which_finding(tmp_path: Path) -> None:
 # --- other worlds ---------------------------------------------------------------------------------
 
 
+@pytest.mark.thorough
 def test_a_target_that_only_a_rounded_corner_avoids_has_no_margin() -> None:
     """The target of the corner is some mm below the table's top: rounded, the arm stays above."""
     data = ".LOCATIONS\nfrom 700 -60 0 90 90 0\nlow 700 150 -295 90 90 0\n"
@@ -464,6 +482,7 @@ def test_a_target_that_only_a_rounded_corner_avoids_has_no_margin() -> None:
     assert "hits `table`" in only.headline
 
 
+@pytest.mark.thorough
 def test_what_may_be_typed_after_a_stop_stands_on_the_sheet(cans: Bundle) -> None:
     answers = {m.name: m for m in cans.manifest.margins if m.name.startswith("stopped")}
     assert set(answers) == {"stopped in any tick, then PROCEED", "stopped in any tick, then RETRY"}
@@ -510,6 +529,7 @@ def call(home: Path, *words: str) -> Result:
     return CliRunner().invoke(vrts, ["dispatch", "plan", str(home / "x.v2"), *options, *words])
 
 
+@pytest.mark.thorough
 def test_a_bundle_is_written_and_a_refused_one_is_not(tmp_path: Path) -> None:
     (tmp_path / "x.v2").write_text(main("MOVE safe", "READY"), "utf-8")
     page = tmp_path / "sheet.html"

@@ -81,6 +81,7 @@ def test_a_dry_run_prints_what_would_be_typed_and_opens_nothing(tmp_path: Path) 
     assert list(tmp_path.iterdir()) == [tmp_path / "pick.bundle"]
 
 
+@pytest.mark.thorough
 def test_a_bundle_goes_there_and_back(tmp_path: Path, port: str) -> None:
     bundle = write(tmp_path)
     differs = vrts(tmp_path, "diff", bundle, "--port", port)

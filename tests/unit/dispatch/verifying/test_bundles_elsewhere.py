@@ -73,6 +73,7 @@ def verified(home: Path, data: bytes, *more: str | Path) -> Result:
     return command("verify", home / "x.bundle", *more)
 
 
+@pytest.mark.thorough
 def test_everything_is_proven_again_from_the_file_alone(
     bundle: bytes, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -134,6 +135,7 @@ FORGERIES: tuple[tuple[Callable[[bytes], bytes], str], ...] = (
 )
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     ("change", "says"),
     [

@@ -86,6 +86,7 @@ def proof_holds(found: Proven, a: Shape, b: Shape, X_WA: Pose, X_WB: Pose) -> No
         assert float(n @ (y - x)) == pytest.approx(found.upper, abs=1e-7)
 
 
+@pytest.mark.thorough
 def test_against_coal_where_it_is_right() -> None:
     chance = np.random.default_rng(16)
     for _ in range(300):

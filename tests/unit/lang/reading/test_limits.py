@@ -78,6 +78,7 @@ def test_deep_expressions_are_laid_out_dumped_and_run() -> None:
     assert execute(module, robot_alone()).output.startswith(" 1")
 
 
+@pytest.mark.thorough
 def test_steps_of_a_program() -> None:
     assert codes("READY\n" * (MAX_STEPS - 1)) == []
     assert codes("READY\n" * (MAX_STEPS + 1)) == ["V115"]
@@ -90,6 +91,7 @@ def test_number_of_diagnostics() -> None:
     assert found == ["V120"] * LIMIT + ["V151"]
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     "body",
     [

@@ -124,6 +124,7 @@ def test_files_are_sent_once(server: LiveServer) -> None:
     assert (again.status, again.body) == (304, b"")
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("text", NASTY)
 def test_names_lines_and_files_are_only_text(server: LiveServer, text: str) -> None:
     answer = server.request("POST", "/enter", {"code": server.code, "name": text})
@@ -225,6 +226,7 @@ def test_one_account_has_few_connections(server: LiveServer) -> None:
     assert closed["code"] == "limit"
 
 
+@pytest.mark.thorough
 def test_a_flood_is_refused_and_then_ended(server: LiveServer) -> None:
     anna = server.join(server.enter("Flood"))
     anna.wait("control")

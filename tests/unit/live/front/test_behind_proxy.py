@@ -91,6 +91,7 @@ def test_a_browser_finds_the_name_secure_cookies_and_its_socket(behind: Behind) 
     assert refused.value.response.status_code == 403
 
 
+@pytest.mark.thorough
 def test_only_the_hop_of_the_proxy_is_believed(behind: Behind) -> None:
     right = {"code": behind.server.code, "name": "x"}
     behind.proxy.client = "198.51.100.7"

@@ -47,6 +47,7 @@ def test_quiet_leaves_the_ways_in(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
     assert re.search(r"^class code: \w{3}-\w{3}-\w{3},", said.stderr, re.M)
 
 
+@pytest.mark.thorough
 @pytest.mark.skipif(shutil.which("openssl") is None, reason="makes its certificate with openssl")
 def test_tls_by_flags_makes_secure_cookies(tmp_path: Path) -> None:
     certificate, key = tmp_path / "cert.pem", tmp_path / "key.pem"
@@ -72,6 +73,7 @@ def test_tls_by_flags_makes_secure_cookies(tmp_path: Path) -> None:
         link.close()
 
 
+@pytest.mark.thorough
 def test_accounts_groups_and_administration(tmp_path: Path) -> None:
     folder = tmp_path / "live"
     name = add_user(folder, "Dr. Lee", "correct horse", supervisor=True)

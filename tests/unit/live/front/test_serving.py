@@ -307,6 +307,7 @@ def test_reach_and_programs_are_answered(server: LiveServer) -> None:
     assert ".PROGRAM" in anna.wait("program_text")["result"]["text"]
 
 
+@pytest.mark.thorough
 def test_rooms_walls_and_logs(server: LiveServer) -> None:
     boss = teacher(server)
     rooms = [{"name": f"Group {n}", "scene": "one-can-ur5"} for n in (1, 2)]

@@ -50,6 +50,7 @@ def typed(browser: Browser, lease: str, line: str) -> str:
     return result["text"]
 
 
+@pytest.mark.thorough
 def test_a_killed_server_goes_on_with_everything_where_it_was(tmp_path: Path) -> None:
     server = LiveServer(tmp_path / "live")
     cookie = server.enter("Anna")

@@ -43,6 +43,7 @@ def recorded(tmp_path_factory: pytest.TempPathFactory) -> tuple[bytes, tuple[flo
         return server.request("GET", f"/log/{room}", cookie=supervisor).body, end
 
 
+@pytest.mark.thorough
 def test_the_same_motion_comes_out(recorded: tuple[bytes, tuple[float, ...]]) -> None:
     log, end = recorded
     (session,) = read_log(log)

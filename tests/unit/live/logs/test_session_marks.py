@@ -87,6 +87,7 @@ def kept(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
+@pytest.mark.thorough
 def test_a_class_has_a_row_for_every_room(kept: Path, tmp_path: Path) -> None:
     before = hashlib.sha256(kept.read_bytes()).hexdigest()
     out, said = graded(str(TASK), "--session", str(kept), "-o", str(tmp_path / "out"))
@@ -168,6 +169,7 @@ def test_what_cannot_be_repeated_has_no_mark(kept: Path, tmp_path: Path) -> None
     assert "was changed" in altered["cause"]
 
 
+@pytest.mark.thorough
 def test_a_session_marked_in_a_process_of_its_own_has_the_same_mark(tmp_path: Path) -> None:
     marker = SessionMarker(Place(str(TASK)), Wanted())
     order = Order("s", "s", entries_to_bytes(tried(tmp_path / "session")))

@@ -4,6 +4,7 @@ import sqlite3
 from pathlib import Path
 
 import psutil
+import pytest
 
 from tests.support_live import Browser, LiveServer
 from vrts.live.session.views.frame import unpacked
@@ -12,6 +13,7 @@ from vrts.live.store import log
 from vrts.live.store.database import opened
 
 
+@pytest.mark.thorough
 def test_sixty_from_one_address_and_twenty_of_them_asleep(tmp_path: Path) -> None:
     with LiveServer(tmp_path / "live") as server:
         cookies = [server.enter(f"Student {n}") for n in range(60)]
@@ -43,6 +45,7 @@ def test_sixty_from_one_address_and_twenty_of_them_asleep(tmp_path: Path) -> Non
         assert len(people["people"]) == 60, "nobody is there twice"
 
 
+@pytest.mark.thorough
 def test_a_client_that_does_not_read_holds_up_nobody(tmp_path: Path) -> None:
     with LiveServer(tmp_path / "live") as server:
         awake = server.join(server.enter("Awake"))
@@ -72,6 +75,7 @@ def work(browser: Browser, lease: str, count: int, offset: int) -> list[int]:
     return [browser.wait("result")["of"] for _ in range(count)]
 
 
+@pytest.mark.thorough
 def test_a_killed_server_has_kept_all_that_it_acknowledged(tmp_path: Path) -> None:
     folder = tmp_path / "live"
     server = LiveServer(folder)

@@ -46,6 +46,7 @@ def enter(server: LiveServer, name: str, cookie: str) -> Answer:
     return server.request("POST", "/enter", {"code": server.code, "name": name}, cookie=cookie)
 
 
+@pytest.mark.thorough
 def test_who_was_sent_away_stays_away_until_they_are_allowed(server: LiveServer) -> None:
     cookie = server.enter("Anna")
     anna, boss = server.join(cookie), server.join(server.supervisor())
@@ -119,6 +120,7 @@ def test_everybody_of_a_browser_is_sent_away_and_muted_together(server: LiveServ
     assert boss.wait("people", lambda m: bool(m["barred"]))["barred"] == ["Anna"]
 
 
+@pytest.mark.thorough
 def test_a_log_out_ends_no_connection_of_another_browser(server: LiveServer) -> None:
     here, there = (server.request("POST", "/login", USER).cookie for _ in range(2))
     first, second = server.join(here), server.join(there)
@@ -133,6 +135,7 @@ def test_a_log_out_ends_no_connection_of_another_browser(server: LiveServer) -> 
     second.wait("chat", lambda m: m["text"] == "still here")
 
 
+@pytest.mark.thorough
 def test_bars_and_mutes_outlast_the_server(tmp_path: Path) -> None:
     folder = tmp_path / "live"
     server = LiveServer(folder)
@@ -154,6 +157,7 @@ def test_bars_and_mutes_outlast_the_server(tmp_path: Path) -> None:
         assert boss.wait("people")["muted"] == ["Ben"]
 
 
+@pytest.mark.thorough
 def test_who_is_purged_while_connected_is_gone(server: LiveServer, tmp_path: Path) -> None:
     cookie = server.enter("Anna")
     anna, ben = server.join(cookie), server.join(server.enter("Ben"))
@@ -183,6 +187,7 @@ def test_who_is_purged_while_connected_is_gone(server: LiveServer, tmp_path: Pat
     connection.close()
 
 
+@pytest.mark.thorough
 def test_sixty_frames_a_second_for_who_wants_them(server: LiveServer) -> None:
     fast, usual = server.join(server.enter("Fast"), rate=60), server.join(server.enter("Usual"))
     usual.wait("snapshot")

@@ -392,6 +392,7 @@ def test_too_many_variables_stop_the_program(driven: Driven) -> None:
     assert any("20,000 variables" in h.text for h in driven.said(Happened))
 
 
+@pytest.mark.thorough
 def test_after_a_key_is_let_go_the_monitor_is_free_at_once(driven: Driven) -> None:
     driven.act(do.Upload("slow.v2", ".PROGRAM slow()\n 10 x = 1\n GOTO 10\n.END\n"))
     driven.act(do.Jog("joint", 0, 1, 0.2))

@@ -196,6 +196,7 @@ def test_session_time_is_that_of_the_shared_clock(piped: Piped) -> None:
     assert min(late_s) >= 0.0
 
 
+@pytest.mark.thorough
 def test_contacts_are_certified_beside_the_session(piped: Piped) -> None:
     ready = piped.until(Ready)
     down = (0.0, 1.5707963267948966, 0.0)

@@ -17,6 +17,7 @@ part            450 -120 -50 90 90 0
 BAD = GOOD.replace("MOVE part", "MOVEE part")
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("editor", ["neovim@v0.11", "visual-studio-code", "emacs"])
 def test_a_mistake_is_underlined_with_a_link_to_its_explanation(
     tmp_path: Path, editor: str

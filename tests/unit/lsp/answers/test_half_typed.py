@@ -3,6 +3,8 @@
 import random
 from contextlib import suppress
 
+import pytest
+
 from tests.places import ROOT
 from vrts.lsp.answers.checking import check
 from vrts.lsp.answers.colouring import coloured
@@ -40,6 +42,7 @@ def typed(chosen: random.Random) -> tuple[str, int]:
     return text, at
 
 
+@pytest.mark.thorough
 def test_every_question_is_answered() -> None:
     chosen = random.Random(8)
     for _ in range(ROUNDS):

@@ -110,6 +110,7 @@ def refreshed(client: Client, name: str) -> list[dict[str, Any]]:
     return found
 
 
+@pytest.mark.thorough
 def test_over_the_protocol(tmp_path: Path) -> None:
     shutil.copy(EXAMPLE / "solution.v2", tmp_path / "a.v2")
     with Client(tmp_path) as client:
@@ -135,6 +136,7 @@ def test_over_the_protocol(tmp_path: Path) -> None:
         assert len(refreshed(client, "a.v2")) == 2
 
 
+@pytest.mark.thorough
 def test_no_run_outlives_its_client(tmp_path: Path) -> None:
     with Begun(tmp_path / "begun") as begun:
         client = Client(tmp_path, server=begun.server)

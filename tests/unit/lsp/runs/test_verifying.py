@@ -101,6 +101,7 @@ def test_every_motion_that_is_too_fast_for_the_task_gets_its_speed(tmp_path: Pat
     assert "V434" not in codes(found(result, path))
 
 
+@pytest.mark.thorough
 def test_a_via_point_that_is_passed_too_fast(tmp_path: Path) -> None:
     via = '[[via]]\nname = "v"\nat_mm = [600, 100, 0]\nradius_mm = 10\nspeed_mm_s = [{}]\n'
     text = LINES.replace("        MOVE b\n", "").replace("20      MOVES a\n", "")

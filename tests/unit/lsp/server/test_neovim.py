@@ -116,6 +116,7 @@ def test_diagnostics_hover_and_completion_in_neovim(tmp_path: Path) -> None:
     assert found["completion"] == ["APPRO", "APPROS"]
 
 
+@pytest.mark.thorough
 @pytest.mark.skipif(NEOVIM is None, reason="needs Neovim")
 def test_the_speed_that_would_do_in_neovim(tmp_path: Path) -> None:
     found = session(tmp_path, TOO_FAST, MENDING)

@@ -3,6 +3,8 @@
 import signal
 from pathlib import Path
 
+import pytest
+
 from tests.support_lsp import Client, where
 from tests.unit.lsp.in_a_cell import setting
 
@@ -22,6 +24,7 @@ part            900 0 0 90 90 0
 """
 
 
+@pytest.mark.thorough
 def test_a_server_that_has_answered_everything_has_loaded_nothing_heavy(tmp_path: Path) -> None:
     setting(tmp_path)
     client = Client(tmp_path, server=("-c", SAYS_WHAT_IT_LOADED))

@@ -102,6 +102,7 @@ def reproduce(folder: Path, data: bytes) -> Result:
     return call("reproduce", path)
 
 
+@pytest.mark.thorough
 def test_everything_is_in_it(marked: Marked, evidence: bytes) -> None:
     found = members(evidence)
     assert set(found) == {
@@ -137,6 +138,7 @@ def test_nothing_of_anybody_else_is_in_it(marked: Marked, evidence: bytes) -> No
     assert str(marked.download) not in inside["evidence.json"].decode()
 
 
+@pytest.mark.thorough
 def test_the_contacts_of_a_mark_are_proven_by_a_certificate(
     evidence: bytes, tmp_path: Path
 ) -> None:
@@ -158,6 +160,7 @@ def test_the_contacts_of_a_mark_are_proven_by_a_certificate(
     assert "help: pack the evidence again with `vrts grade evidence`" in found.output
 
 
+@pytest.mark.thorough
 def test_the_same_result_comes_again(marked: Marked, evidence: bytes, tmp_path: Path) -> None:
     found = reproduce(tmp_path, evidence)
     assert found.exit_code == 0, found.output
@@ -293,6 +296,7 @@ def test_names_lead_nowhere() -> None:
         assert not known_name(name), name
 
 
+@pytest.mark.thorough
 def test_a_change_by_hand_goes_along(marked: Marked, tmp_path: Path) -> None:
     shutil.copytree(marked.out, tmp_path / "out")
     changes = [
@@ -339,6 +343,7 @@ def test_decisions_of_graders_go_along_and_nobody_else_is_in_them(
     assert read_evidence(place).row == row
 
 
+@pytest.mark.thorough
 def test_a_program_that_is_not_there_any_more_is_told(marked: Marked, tmp_path: Path) -> None:
     moved = tmp_path / "moved"
     shutil.copytree(marked.download, moved)
@@ -357,6 +362,7 @@ def test_a_program_that_is_not_there_any_more_is_told(marked: Marked, tmp_path: 
     assert "say with `--submissions` where the download is now" in gone.stderr
 
 
+@pytest.mark.thorough
 def test_a_copy_of_the_task_is_the_task(marked: Marked, tmp_path: Path) -> None:
     shutil.copytree(marked.task, tmp_path / "lab1")
     words = ("-o", tmp_path / "e.zip", "--task", tmp_path / "lab1")
@@ -422,6 +428,7 @@ def test_change_command_adds_to_the_file(marked: Marked, tmp_path: Path) -> None
     assert call(*words, "--delta", "1", "--date", "today").exit_code == 1
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     "packed",
     [

@@ -49,6 +49,7 @@ def suites(*found: Row) -> list[ElementTree.Element]:
     return list(root)
 
 
+@pytest.mark.thorough
 @of_any(found=rows())
 def test_the_document_of_any_class_is_the_published_one(found: tuple[Row, ...]) -> None:
     clean = given([one for one in found if not steering(one.student.name)])

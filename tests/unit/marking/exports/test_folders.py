@@ -68,6 +68,7 @@ def test_who_has_no_number_is_told() -> None:
     assert len(names(found)) == 2
 
 
+@pytest.mark.thorough
 def test_a_zip_that_is_too_large_for_most_sites_is_told() -> None:
     report = Page("report.html", Random(1).randbytes(51_000_000))
 

@@ -43,6 +43,7 @@ def test_nobody_is_started_where_nothing_is_asked() -> None:
         assert by == ALONE
 
 
+@pytest.mark.thorough
 def test_a_process_that_marks_never_loads_fcl_and_the_mark_is_the_same() -> None:
     called = [sys.executable, "-c", MARKS, str(SOLUTION)]
     done = subprocess.run(called, capture_output=True, text=True, check=True, cwd=ROOT)
@@ -51,6 +52,7 @@ def test_a_process_that_marks_never_loads_fcl_and_the_mark_is_the_same() -> None
     assert said == [[10.0, "coal"], [10.0, "fcl"], [10.0, "own"]]
 
 
+@pytest.mark.thorough
 def test_only_the_child_imports_fcl() -> None:
     imports = {
         path.relative_to(ROOT).as_posix()

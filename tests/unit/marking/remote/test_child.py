@@ -47,6 +47,7 @@ def marking(worker: psutil.Process) -> list[psutil.Process]:
     raise AssertionError("nothing is marked")
 
 
+@pytest.mark.thorough
 @pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells when a parent has ended")
 def test_nothing_outlives_a_worker_that_is_killed(shard: bytes, tmp_path: Path) -> None:
     (tmp_path / "shard.json").write_bytes(shard)

@@ -54,6 +54,7 @@ def same_class(here: Path, there: Path) -> dict[str, bytes]:
     return found
 
 
+@pytest.mark.thorough
 def test_plan_run_merge_and_lists(lab: Path) -> None:
     planned = good("plan", "lab", "hand-ins", "--shards", "2", "--no-pages")
     assert "plan/shards: 2 shards of 3 programs" in planned
@@ -132,6 +133,7 @@ def test_a_merged_class_has_its_lateness_its_changes_by_hand_and_its_corpus(lab:
     assert not (lab / "new" / "staff" / "results.json").exists()
 
 
+@pytest.mark.thorough
 def test_results_are_for_their_owner_and_the_remedy_helps(
     lab: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -188,6 +190,7 @@ def test_what_is_no_shard_no_key_and_not_there_is_told(lab: Path) -> None:
         assert (found.exit_code, words in found.output) == (status, True), found.output
 
 
+@pytest.mark.thorough
 def test_a_class_is_marked_by_a_cluster(lab: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     good("lab", "hand-ins", "-o", "here", "--no-pages")
     good("lab", "hand-ins", "-o", "there", "--no-pages", "--backend", "dask", "--jobs", "1")

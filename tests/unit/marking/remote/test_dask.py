@@ -173,6 +173,7 @@ def test_a_scheduler_that_does_not_answer_is_told(
     assert finding.headline == "no Dask scheduler answers at `tcp://127.0.0.1:9`"
 
 
+@pytest.mark.thorough
 def test_a_cluster_without_workers_is_not_waited_for(
     marker: Marker, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -210,6 +211,7 @@ class Spoiled:
             yield Outcome(cut, packed(members, 0o600))
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("here", [True, False], ids=["marked here", "lost"])
 def test_one_refused_row_costs_no_other(
     here: bool, marker: Marker, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
@@ -265,6 +267,7 @@ except Refused:
 """
 
 
+@pytest.mark.thorough
 def test_ctrl_c_interrupts_also_with_queues_loaded() -> None:
     told = subprocess.run(
         [sys.executable, "-c", INTERRUPT], capture_output=True, text=True, check=False
@@ -331,6 +334,7 @@ def test_backends_are_read() -> None:
             read_backend(text)
 
 
+@pytest.mark.thorough
 def test_workers_of_our_own_listen_to_nobody_else(marker: Marker, tmp_path: Path) -> None:
     out = Layout(tmp_path)
     found = mark_on_dask(marker, MANY, out, read_backend("dask"), jobs=2, size=2)

@@ -80,6 +80,7 @@ def codes(found: tuple[Diagnostic, ...]) -> list[str]:
     return [d.rule.code for d in found]
 
 
+@pytest.mark.thorough
 def test_merged_results_and_pages_are_those_of_marking_here(sent: Sent, tmp_path: Path) -> None:
     list(mark_class(sent.marker, CLASS, Layout(tmp_path / "here"), jobs=2))
     merged = sent.merge(tmp_path / "there", *sent.results)
@@ -155,6 +156,7 @@ def test_a_lost_result_never_takes_the_place_of_a_mark(sent: Sent, tmp_path: Pat
     assert files(out) == before
 
 
+@pytest.mark.thorough
 def test_an_interrupted_shard_goes_on_where_it_was(sent: Sent, tmp_path: Path) -> None:
     data = sent.shards[0].read_bytes()
     shard = read_shard(data)
@@ -514,6 +516,7 @@ def test_every_shard_has_a_secret_of_its_own_and_none_has_the_plans(sent: Sent) 
         assert not any(secret in held for secret in secrets)
 
 
+@pytest.mark.thorough
 def test_a_plan_of_before_needs_a_word(sent: Sent, tmp_path: Path) -> None:
     """Its key, shards and results have no secret and no signature."""
     old = json.loads((sent.plan / "key.json").read_text()) | {"schema": "vrts.plan/1"}

@@ -107,6 +107,7 @@ def test_both_files_are_for_the_staff(tmp_path: Path) -> None:
     ]
 
 
+@pytest.mark.thorough
 def test_grade_writes_overview_and_similarity_for_the_staff(tmp_path: Path) -> None:
     handed_in = tmp_path / "in"
     handed_in.mkdir()

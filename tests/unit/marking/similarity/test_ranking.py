@@ -120,6 +120,7 @@ def test_odd_files_are_left_out_or_compared_as_text() -> None:
     assert similarity({}).pairs == ()
 
 
+@pytest.mark.thorough
 def test_a_long_program_that_repeats_itself_ends_soon() -> None:
     text = ".PROGRAM a\n" + " MOVE b\n APPRO c, 10\n DELAY 1\n" * 20_000 + ".END\n"
     found = similarity({"a": text.encode(), "b": text.encode()})

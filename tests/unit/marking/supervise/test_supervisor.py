@@ -121,6 +121,7 @@ def _home(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("PYTHONPATH", str(ROOT))
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("fork", WAYS)
 def test_answers_come_back_and_losses_are_told_apart(tmp_path: Path, fork: bool) -> None:
     deeds = ["good", "hog", "segfault", "flood", "raise", "loop", "big file", "fine"]

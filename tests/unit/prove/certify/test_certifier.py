@@ -47,6 +47,7 @@ def test_what_was_certified_is_not_certified_again() -> None:
     assert certifier.motion_s == known_s > 1.0
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("number", [*SHARED, *MORE])
 @deep_stack()
 def test_futures_that_share_motion_are_told_what_each_touches(number: int) -> None:

@@ -107,6 +107,7 @@ def test_points_in_a_plane_are_refused() -> None:
     assert found.rule.code == "V902"
 
 
+@pytest.mark.thorough
 def test_pan_with_the_wrong_sign_shows_in_the_errors() -> None:
     right = marked()
     wrong = right._replace(

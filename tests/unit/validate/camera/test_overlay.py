@@ -134,6 +134,7 @@ def called(folder: Path, *words: str) -> Said:
     return vrts_text(*whole, *words, cwd=folder)
 
 
+@pytest.mark.thorough
 def test_the_command_draws_the_robot_over_frames_of_a_camera_that_moves(
     run: Run, tmp_path: Path
 ) -> None:
@@ -158,6 +159,7 @@ def test_the_command_draws_the_robot_over_frames_of_a_camera_that_moves(
         assert changed > 200
 
 
+@pytest.mark.thorough
 def test_frames_out_of_the_run_of_another_size_or_none_are_told(run: Run, tmp_path: Path) -> None:
     write_case(run, tmp_path)
     frames = ("--frames", str(tmp_path / "frames"))
@@ -176,6 +178,7 @@ def test_frames_out_of_the_run_of_another_size_or_none_are_told(run: Run, tmp_pa
     assert not (tmp_path / "out").exists()
 
 
+@pytest.mark.thorough
 def test_a_video_is_read_as_pictures_are(run: Run, tmp_path: Path) -> None:
     write_case(run, tmp_path)
     codec = cv2.VideoWriter.fourcc(*"MJPG")

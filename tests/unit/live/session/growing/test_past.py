@@ -61,6 +61,7 @@ def same(growing: GrowingRun, whole: GrowingRun, time_s: float) -> None:
     assert {**first, "output": ""} == {**second, "output": ""}
 
 
+@pytest.mark.thorough
 def test_any_time_is_had_again_from_the_file(tmp_path: Path) -> None:
     whole = grown(GrowingRun(SCENE, Scenario(), forgets=False), 150.0)
     growing = grown(kept(tmp_path), 150.0)
@@ -128,6 +129,7 @@ def test_all_that_was_done_can_be_saved_however_long_ago_it_was(tmp_path: Path) 
     assert driven.done(driven.act(do.Save("all"))).accepted
 
 
+@pytest.mark.thorough
 def test_a_session_that_went_far_back_is_repeated_by_its_log(tmp_path: Path) -> None:
     driven = Driven(tmp_path)
     driven.act(do.Upload("busy.v2", LOOP))
@@ -153,6 +155,7 @@ def test_a_session_that_went_far_back_is_repeated_by_its_log(tmp_path: Path) -> 
         assert {**first, "output": ""} == {**second, "output": ""}  # pyright: ignore[reportUnknownArgumentType]
 
 
+@pytest.mark.thorough
 def test_a_full_file_loses_what_is_oldest_and_says_so(tmp_path: Path) -> None:
     driven = worked(Driven(tmp_path, history=60_000), 200.0)
     growing = driven.session.growing
@@ -189,6 +192,7 @@ def test_the_quota_is_reached_before_the_limit_of_the_system(
     assert FULL in growing.said[-1]
 
 
+@pytest.mark.thorough
 def test_a_file_that_is_gone_or_changed_ends_no_session(tmp_path: Path) -> None:
     driven = worked(Driven(tmp_path), 60.0)
     path = tmp_path / FILE

@@ -52,6 +52,7 @@ def until(driven: Driven, checker: Checker, mark: float | None) -> None:
     raise AssertionError(f"the mark is {driven.session.showing.mark}, not {mark}")
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("forks", [True, False])
 def test_it_follows_what_is_done_and_begins_anew_with_a_reset(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, *, forks: bool
@@ -107,6 +108,7 @@ def test_without_a_task_or_with_a_part_forgotten_there_is_none(tmp_path: Path) -
         assert driven.session.showing.mark is None
 
 
+@pytest.mark.thorough
 def test_every_lost_point_is_told_in_the_words_of_the_report(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

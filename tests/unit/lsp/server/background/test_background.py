@@ -6,6 +6,8 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import unquote, urlsplit
 
+import pytest
+
 from tests.places import ROOT
 from tests.support_lsp import PATIENCE, Client, where
 from tests.unit.lsp.begun import Begun
@@ -62,6 +64,7 @@ def offered(client: Client, place: dict[str, Any]) -> dict[str, Any]:
     return found[0]
 
 
+@pytest.mark.thorough
 def test_the_action_sets_a_speed_and_the_finding_is_gone(tmp_path: Path) -> None:
     with Client(tmp_path) as client:
         client.open("a.v2", TOO_FAST)
@@ -86,6 +89,7 @@ def test_the_action_sets_a_speed_and_the_finding_is_gone(tmp_path: Path) -> None
         assert client.about("codeAction", "a.v2", range=WHOLE, context={"diagnostics": []}) == []
 
 
+@pytest.mark.thorough
 def test_findings_of_an_earlier_text_say_so_until_there_are_new_ones(tmp_path: Path) -> None:
     with Client(tmp_path) as client:
         client.open("a.v2", TOO_FAST)
@@ -104,6 +108,7 @@ def test_findings_of_an_earlier_text_say_so_until_there_are_new_ones(tmp_path: P
         assert client.diagnostics("a.v2") == []  # the line of the finding is another now
 
 
+@pytest.mark.thorough
 def test_files_that_change_on_disk_are_looked_at_again(tmp_path: Path) -> None:
     scene = tmp_path / "scene.toml"
     shutil.copy(ROOT / "scenes" / "cans-on-bases" / "scene.toml", scene)
@@ -149,6 +154,7 @@ def test_no_run_outlives_its_text_its_buffer_or_its_server(tmp_path: Path) -> No
         client.gone()
 
 
+@pytest.mark.thorough
 def test_a_verification_that_is_killed_is_told_and_the_server_lives(tmp_path: Path) -> None:
     with Begun(tmp_path / "begun") as begun, Client(tmp_path, server=begun.server) as client:
         client.open("a.v2", ENDLESS)
@@ -160,6 +166,7 @@ def test_a_verification_that_is_killed_is_told_and_the_server_lives(tmp_path: Pa
         client.diagnostics("a.v2", has("V302"))
 
 
+@pytest.mark.thorough
 def test_a_future_that_goes_wrong_links_to_its_scenario(tmp_path: Path) -> None:
     (tmp_path / "task.toml").write_text((CANS / "task.toml").read_text("utf-8"), "utf-8")
     (tmp_path / "a-scenario.toml").write_text("mine", "utf-8")

@@ -3,6 +3,8 @@
 import shutil
 from pathlib import Path
 
+import pytest
+
 from tests.support_lsp import CONVERTER, Client, where
 from vrts.lsp.answers.completing import MOST, complete
 from vrts.lsp.documents.documents import MOST_BYTES, Document, Documents
@@ -20,6 +22,7 @@ def program(number: int) -> str:
     return f".PROGRAM p{number}\n{steps}.END\n"
 
 
+@pytest.mark.thorough
 def test_the_open_buffer_comes_first(tmp_path: Path) -> None:
     folder = tmp_path / "lab"
     folder.mkdir()

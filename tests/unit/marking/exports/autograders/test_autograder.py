@@ -131,6 +131,7 @@ def test_the_zip_has_what_the_harness_looks_for(tmp_path: Path) -> None:
         jsonschema.validate(json.loads(archive.read("not-marked.json")), SCHEMA)
 
 
+@pytest.mark.thorough
 def test_one_submission_is_marked(root: Path) -> None:
     shutil.copy(EXAMPLE / "submissions" / "hits-base.v2", root / "submission" / "mine.v2")
     found = run(root)
@@ -138,6 +139,7 @@ def test_one_submission_is_marked(root: Path) -> None:
     assert sum(test["score"] for test in found["tests"]) == 7
 
 
+@pytest.mark.thorough
 def test_lateness_is_left_to_gradescope(tmp_path: Path) -> None:
     shutil.copytree(EXAMPLE, tmp_path / "task")
     with (tmp_path / "task" / "task.toml").open("a", encoding="utf-8") as task:
@@ -150,6 +152,7 @@ def test_lateness_is_left_to_gradescope(tmp_path: Path) -> None:
     assert "when it came" not in json.dumps(found)
 
 
+@pytest.mark.thorough
 def test_hidden_checks_are_in_hidden_tests_only(tmp_path: Path) -> None:
     shutil.copytree(EXAMPLE, tmp_path / "task")
     (tmp_path / "task" / "staff").mkdir(exist_ok=True)
@@ -169,6 +172,7 @@ def test_hidden_checks_are_in_hidden_tests_only(tmp_path: Path) -> None:
     assert "more checks are made" in found["output"]
 
 
+@pytest.mark.thorough
 def test_a_mark_without_the_hidden_checks_is_none(root: Path) -> None:
     (root / "source" / "task.zip").write_bytes(student_zip(read_folder(EXAMPLE), 3))
     shutil.copy(EXAMPLE / "solution.v2", root / "submission" / "pick.v2")
@@ -177,6 +181,7 @@ def test_a_mark_without_the_hidden_checks_is_none(root: Path) -> None:
     assert "could not be marked" in found["output"]
 
 
+@pytest.mark.thorough
 def test_several_files_are_of_one_student(root: Path) -> None:
     shutil.copy(EXAMPLE / "solution.v2", root / "submission" / "pick.v2")
     (root / "submission" / "notes").mkdir()
@@ -184,12 +189,14 @@ def test_several_files_are_of_one_student(root: Path) -> None:
     assert run(root)["score"] == 10
 
 
+@pytest.mark.thorough
 def test_an_empty_submission_has_a_result(root: Path) -> None:
     found = run(root)
     assert found["score"] == 0
     assert found["output"]
 
 
+@pytest.mark.thorough
 def test_a_time_out_ends_with_a_result(root: Path) -> None:
     shutil.copy(EXAMPLE / "solution.v2", root / "submission" / "pick.v2")
     before = time.monotonic()

@@ -98,6 +98,7 @@ def test_what_could_not_be_marked_says_so_and_names_no_machine() -> None:
     assert "could not be marked" in found["output"]
 
 
+@pytest.mark.thorough
 @of_any(found=rows())
 def test_gradescope_s_tests_add_up_to_the_mark_of_any_row(found: tuple[Row, ...]) -> None:
     for document, one in zip(on_gradescope(given(found)), found, strict=True):

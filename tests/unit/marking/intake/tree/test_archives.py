@@ -104,6 +104,7 @@ def test_a_file_that_is_longer_than_it_says_is_refused(tmp_path: Path) -> None:
     assert anna.problem.kind is Kind.ARCHIVE
 
 
+@pytest.mark.thorough
 def test_no_more_is_unpacked_than_allowed(tmp_path: Path) -> None:
     random = os.urandom(1_000_000)
     archive = zipped({f"{n}.bin": random for n in range(MOST_READ // 1_000_000 + 1)})
