@@ -85,6 +85,11 @@ def test_a_teacher_comes_in_for_the_first_time_and_adds_another(
     view.messages.clear()  # what graphics without a card say of themselves
     page.wait_for_selector("#people-rows tr >> nth=3")
     assert page.locator("#people-rows b").count() == 0  # names are text
+    page.click("text=Board")  # and back
+    page.wait_for_selector("#people:visible")
+    page.click("#people")
+    page.wait_for_selector("#people-rows tr >> nth=3")
+    view.messages.clear()
     page.fill("#people-find", "red")
     assert page.locator("#people-rows tr").count() == 1
     page.fill("#people-find", "")

@@ -29,6 +29,7 @@ def follow(
     wanted: Iterable[Listed],
     rooms: Mapping[str, tuple[str, ...]],
     now: float,
+    most: int | None = None,
 ) -> Followed:
     """Give everybody whom the files name an account with their rights.
 
@@ -37,6 +38,7 @@ def follow(
         wanted: Everybody, each once.
         rooms: Ids of the shared rooms, by name.
         now: Unix time [s].
+        most: Accounts that are made; where as many were, others may be left for the next call.
     """
     known = people(connection)
     by_key = {person.key: person for person in known}
@@ -44,15 +46,18 @@ def follow(
     added: list[int] = []
     changed: list[int] = []
     wanted = tuple(wanted)
+    names = _Names(connection)
     keys = {one.key for one in wanted}
     for one in wanted:
         person = by_key.get(one.key) or _by_address(one, known, keys, free)
+        if person is None and len(added) == most:
+            continue
         if person is None:
-            account = _new(connection, one, now)
+            account = _new(connection, names, one, now)
             added.append(account)
         else:
             account = person.account
-            if _update(connection, person, one, rooms):
+            if _update(connection, names, person, one, rooms):
                 changed.append(account)
         free.discard(account)
         if person is None:
@@ -89,7 +94,7 @@ def add_by_hand(
             keep_person(connection, kept)
             rights(connection, person.account, one.rank, one.rooms, rooms)
             return person.account
-    account = _new(connection, one, now, origin="page")
+    account = _new(connection, _Names(connection), one, now, origin="page")
     rights(connection, account, one.rank, one.rooms, rooms)
     return account
 
@@ -142,8 +147,10 @@ def _platform(key: str) -> str:
     return key.partition(" ")[0] if " " in key else ""
 
 
-def _new(connection: Connection, one: Listed, now: float, origin: str = "file") -> int:
-    name = _name(connection, one, None)
+def _new(
+    connection: Connection, names: "_Names", one: Listed, now: float, origin: str = "file"
+) -> int:
+    name = names.new(one)
     account = add_account(connection, name, now, password=NOT_CHOSEN)
     keep_person(
         connection,
@@ -165,6 +172,7 @@ def _new(connection: Connection, one: Listed, now: float, origin: str = "file") 
 
 def _update(
     connection: Connection,
+    names: "_Names",
     person: Person,
     one: Listed,
     rooms: Mapping[str, tuple[str, ...]],
@@ -172,7 +180,7 @@ def _update(
     """Have somebody be as the list says; return whether others see that."""
     seen = not person.listed
     if one.name != person.called:
-        name = _name(connection, one, person)
+        name = names.another(one, person)
         connection.execute("UPDATE account SET name=? WHERE id=?", (name, person.account))
         seen = True
     kept = person._replace(
@@ -191,10 +199,32 @@ def _update(
     return rights(connection, person.account, one.rank, one.rooms, rooms) or seen
 
 
-def _name(connection: Connection, one: Listed, person: Person | None) -> str:
-    own = -1 if person is None else person.account
-    rows = connection.execute("SELECT name FROM account WHERE id<>?", (own,))
-    taken, student = Taken(row[0] for row in rows), one.rank == "student"
+class _Names:
+    """Gives everybody a name that nobody else has. All names are read but once."""
+
+    def __init__(self, connection: Connection) -> None:
+        self._connection = connection
+        self._all: Taken | None = None  # everybody's, once somebody needs it
+
+    def new(self, one: Listed) -> str:
+        """Return the name of somebody new."""
+        taken = self._all = self._all or self._others(-1)
+        name = _free(one, taken)
+        taken.add(name)
+        return name
+
+    def another(self, one: Listed, person: Person) -> str:
+        """Return the name of somebody who is called otherwise than before."""
+        self._all = None  # what they were called is free
+        return _free(one, self._others(person.account))
+
+    def _others(self, account: int) -> Taken:
+        rows = self._connection.execute("SELECT name FROM account WHERE id<>?", (account,))
+        return Taken(row[0] for row in rows)
+
+
+def _free(one: Listed, taken: Taken) -> str:
+    student = one.rank == "student"
     name = own_name(person_name(one.name), taken, guest=student)
     if person_name(name) == name:
         return name

@@ -25,6 +25,7 @@ from vrts.live.store.guests import log_guests_out
 
 GONE: Final = "you are not on the list of this course any more: ask your teacher"
 NO_GUESTS: Final = "this course lets in only who is on its list"
+AT_ONCE: Final = 25  # accounts that are made in one job of the database
 _log = logging.getLogger("vrts.live")
 
 
@@ -108,11 +109,17 @@ class WatchedPeople:
             await hub.ways.renew_code()
 
     async def _follow(self, read: Read) -> None:
+        """Follow the files, a few new people at a time: what others do is written in between."""
+        while await self._some(read) == AT_ONCE:
+            pass
+
+    async def _some(self, read: Read) -> int:
+        """Follow the files, and return how many accounts were made: at most `AT_ONCE`."""
         rooms, now, guests = self.rooms(), wall(), self._hub.how_in.guests
 
         def work(connection: Connection) -> tuple[Followed, list[int]]:
             out = [] if guests else log_guests_out(connection)
-            return follow(connection, read.people, rooms, now), out
+            return follow(connection, read.people, rooms, now, AT_ONCE), out
 
         done, out = await self._hub.database.do(work)
         self._rooms = rooms
@@ -121,6 +128,7 @@ class WatchedPeople:
             _log.info("people of the course: %d new, %d gone, %d changed", *counts)
         self._send_away(out, NO_GUESTS)
         await self.refresh((*done.gone, *done.changed))
+        return len(done.added)
 
     async def refresh(self, accounts: tuple[int, ...]) -> None:
         """Have those who are here be who they are now; who may not stay goes."""

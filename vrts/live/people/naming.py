@@ -34,10 +34,15 @@ class Taken:
 
     def __init__(self, names: Iterable[str]) -> None:
         """Take the names of those who are or were here."""
-        self._names = frozenset(names)
+        self._names = set(names)
         self._shown: set[int] = set()
         for name in self._names:
             self._shown.update(look(name).shown)
+
+    def add(self, name: str) -> None:
+        """Take one more."""
+        self._names.add(name)
+        self._shown.update(look(name).shown)
 
     def has(self, name: str) -> bool:
         """Return whether a name can be taken for one of these."""

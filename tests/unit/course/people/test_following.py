@@ -160,3 +160,14 @@ def test_a_faulty_list_says_why(text: str, says: str) -> None:
     found, faults = read_class_list(text.encode(), "p.csv")
     words = "; ".join(one.headline for one in faults)
     assert any(part in words for part in says.split("|")), (found, words)
+
+
+def test_a_long_list_is_followed_a_few_at_a_time(connection: sqlite3.Connection) -> None:
+    everybody = [
+        Listed(f"s{k}@example.org", "Anna Berg", f"s{k}@example.org", {}) for k in range(5)
+    ]
+    counts = [len(follow(connection, everybody, ROOMS, 0.0, 2).added) for _ in range(4)]
+    assert counts == [2, 2, 1, 0]
+    names = {one.name for one in people(connection)}
+    assert names == {"Anna Berg", *(f"Anna Berg {k}" for k in range(2, 6))}
+    assert follow(connection, everybody[:1], ROOMS, 0.0, 2).gone != ()

@@ -84,3 +84,6 @@ function refuse(problem) {
 
 applyTheme(chosenTheme());
 void load().then(follow).catch(refuse);
+void fetch("/me").then(async (answer) => {
+  if (answer.ok) byId("people").hidden = !(await answer.json()).supervisor; // assistants see the board, and no list of people
+});
