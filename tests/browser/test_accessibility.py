@@ -118,6 +118,7 @@ def test_every_control_can_be_reached_and_shows_that_it_is(report: Opened) -> No
     assert looks | controls | {"show-trace", "show-goals", "seek", "source"} <= reached
 
 
+@pytest.mark.thorough
 def test_the_keyboard_works_wherever_the_focus_is(report: Opened) -> None:
     for focus in ("#time", "#forward", "#show-trace", "button.seek", "#events button"):
         report.page.focus(focus)
@@ -135,6 +136,7 @@ def test_the_keyboard_works_wherever_the_focus_is(report: Opened) -> None:
     report.page.select_option("#speed", "1")
 
 
+@pytest.mark.thorough
 def test_up_and_down_go_through_the_events_of_which_one_is_a_tab_stop(report: Opened) -> None:
     rows = report.page.locator("#events tr").all_inner_texts()
     assert report.page.locator("#events button:not([tabindex])").count() == 1
@@ -158,6 +160,7 @@ def test_reduced_motion_shows_a_moment_without_playing(report: Opened) -> None:
     assert not report.page.evaluate("vrts.player.playing")
 
 
+@pytest.mark.thorough
 def test_the_view_turns_and_comes_nearer_without_a_mouse(report: Opened) -> None:
     eye = "vrts.viewer.camera.position.distanceTo(vrts.viewer.controls.target)"
     report.page.click("[data-look=overview]")

@@ -50,6 +50,7 @@ def seek(view: Opened, t: float) -> list[str]:
     return view.page.evaluate(NOTES)
 
 
+@pytest.mark.thorough
 def test_marks_stand_at_their_moments_and_lead_there_by_keyboard(view: Opened) -> None:
     assert seek(view, 0.0) == []
     marks = view.page.locator(MARKS)

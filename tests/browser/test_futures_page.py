@@ -57,6 +57,7 @@ def test_each_thing_that_goes_wrong_has_its_replay(browser: Browser, path: Path)
     view.page.close()
 
 
+@pytest.mark.thorough
 def test_a_line_of_the_tree_tells_its_story_and_its_scenario(browser: Browser, path: Path) -> None:
     view = opened(browser, path, still=True)
     wrong = view.page.locator(".tree a:has(.wrong)").first

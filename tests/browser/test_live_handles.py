@@ -110,6 +110,7 @@ def test_handles_are_as_large_and_apart_from_every_side(view: Opened) -> None:
     assert found["largest"] == pytest.approx(9.0, rel=0.05)
 
 
+@pytest.mark.thorough
 def test_places_of_handles_are_apart_for_fingers_too(view: Opened) -> None:
     least = view.page.evaluate(
         """() => import("vrts/live/pointing/handle_places.js").then(({ placesOf }) => {

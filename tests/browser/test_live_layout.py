@@ -136,6 +136,7 @@ def test_parts_fold_by_button_and_by_key(anna: Desk) -> None:
     assert width(anna, "desk") >= 320
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     "kept",
     [

@@ -103,6 +103,7 @@ def test_the_pointer_begins_at_the_gripper(opened: Opened, asked: Asked) -> None
     assert shown == pytest.approx(list(expected), abs=0.006)
 
 
+@pytest.mark.thorough
 def test_dragging_the_base_moves_it_level_and_leaves_the_tip(view: Opened) -> None:
     before, camera = pose(view), eye(view)
     start = handle(view, 0)

@@ -78,6 +78,7 @@ def test_the_search_works_without_a_server(browser: Browser, words: str, title: 
     view.page.close()
 
 
+@pytest.mark.thorough
 def test_on_a_phone_the_list_of_pages_opens(browser: Browser) -> None:
     view = opened(browser, page_of("look-up/words/index"), PHONE)
     link = view.page.locator(".sidebar-tree a", has_text="VAL-II on two pages")

@@ -179,6 +179,7 @@ def test_poses_in_the_browser_are_those_in_python(report: Opened) -> None:
         near(state["can"], X_WO, lower=drop)
 
 
+@pytest.mark.thorough
 def test_blends_and_what_is_slowed_down_are_evaluated_in_full(
     browser: Browser, tmp_path: Path
 ) -> None:
@@ -252,6 +253,7 @@ def test_a_browser_that_cannot_unpack_the_replay_says_so(browser: Browser, tmp_p
     assert not view.page.evaluate("window.vrts")
 
 
+@pytest.mark.thorough
 def test_it_fits_a_phone(report: Opened) -> None:
     report.page.set_viewport_size({"width": PHONE, "height": 900})
     assert report.page.evaluate("document.documentElement.scrollWidth") <= PHONE

@@ -59,6 +59,7 @@ def nothing_in_the_way(view: Opened, name: str) -> None:
     view.page.set_viewport_size({"width": WIDE, "height": 900})
 
 
+@pytest.mark.thorough
 def test_a_teacher_comes_in_for_the_first_time_and_adds_another(
     server: LiveServer, view: Opened
 ) -> None:
@@ -115,6 +116,7 @@ def test_a_teacher_comes_in_for_the_first_time_and_adds_another(
     assert view.messages == []
 
 
+@pytest.mark.thorough
 def test_a_log_in_that_does_not_answer_says_so(server: LiveServer, view: Opened) -> None:
     view.page.goto(f"http://{server.host}/course/login/back")
     view.page.wait_for_selector("h1")

@@ -28,6 +28,7 @@ def path(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return page
 
 
+@pytest.mark.thorough
 def test_axe_finds_nothing(browser: Browser, path: Path) -> None:
     view = opened(browser, path)
     view.page.evaluate(AXE)

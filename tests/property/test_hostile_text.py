@@ -51,6 +51,7 @@ def test_no_format_lets_a_character_through_that_steers(
     assert steering(rendered(name, found, form)) == []
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("form", FOR_PEOPLE)
 @few
 @given(names, diagnostics())

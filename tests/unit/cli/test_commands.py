@@ -251,6 +251,7 @@ def test_hostile_program_text_reaches_no_terminal() -> None:
     assert b"\x1b" not in result.stderr
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     ("library", "words", "said"),
     [

@@ -166,6 +166,7 @@ def test_the_distance_told_is_the_one_proven_whatever_was_asked_for() -> None:
     assert told[0] < 3.5 < told[1]
 
 
+@pytest.mark.thorough
 def test_an_altered_certificate_is_refused_and_nothing_is_sent(
     sound: Bundle, tmp_path: Path
 ) -> None:

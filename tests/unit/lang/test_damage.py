@@ -39,6 +39,7 @@ def test_the_program_is_right() -> None:
     assert errors_of(PROGRAM, VPLUS) == ()
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("kind", KINDS)
 def test_damage_is_noticed_where_it_is(kind: str) -> None:
     chance = random.Random(7)

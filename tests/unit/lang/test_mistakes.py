@@ -91,6 +91,7 @@ def test_an_edit_that_mends_otherwise_than_meant_does_not_count() -> None:
     assert not mends(replace(case, meant=case.meant.replace("  MOVE part\n", "")))
 
 
+@pytest.mark.thorough
 def test_what_was_meant_compiles_in_silence() -> None:
     """Each program that was meant has no error, and no warning but of what is not simulated."""
     told = {
@@ -116,6 +117,7 @@ def test_right_programs_compile() -> None:
     assert len(false_warnings(RIGHT)) <= FALSE_WARNINGS
 
 
+@pytest.mark.thorough
 def test_the_score_does_not_fall() -> None:
     """Messages may become better, not worse; `python -m tests.mistakes` shows which failed."""
     held = score([judge(m) for m in MISTAKES]).held

@@ -30,6 +30,7 @@ def left_behind(text: str, options: Options) -> int:
     return gc.collect()
 
 
+@pytest.mark.thorough
 @pytest.mark.usefixtures("collector")
 def test_no_ring_is_left() -> None:
     some = mistakes()[::40]

@@ -65,6 +65,7 @@ def marked(tmp_path_factory: pytest.TempPathFactory) -> Marked:
     return Marked(tmp_path_factory.mktemp("marked"))
 
 
+@pytest.mark.thorough
 def test_a_program_that_fits_one_answer_loses_points_and_staff_read_why(marked: Marked) -> None:
     first = marked.says.splitlines()[0]
     assert first.startswith(" 5.5  anna.v2")
@@ -76,6 +77,7 @@ def test_a_program_that_fits_one_answer_loses_points_and_staff_read_why(marked: 
     assert 'class="tag hidden"' in (staff / "students/anna/report.html").read_text()
 
 
+@pytest.mark.thorough
 def test_nothing_of_it_is_in_what_is_written_for_students(marked: Marked) -> None:
     students = marked.home / "out" / "students"
     assert leaks(students) == {}
@@ -102,6 +104,7 @@ def test_nothing_of_it_is_in_the_task_that_students_get(marked: Marked) -> None:
         assert "parts/staff/secret-cell.toml" in archive.namelist()
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("whose", ["zip", "folder"])
 def test_no_command_about_it_tells_students_more(marked: Marked, whose: str) -> None:
     task = marked.zip if whose == "zip" else marked.task

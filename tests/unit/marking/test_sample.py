@@ -33,6 +33,7 @@ def test_marking_again_gives_the_same(marked: tuple[Marker, tuple[Done, ...]]) -
     assert verify_sample(*marked, count=10, seed=1, jobs=2) == ()
 
 
+@pytest.mark.thorough
 def test_a_result_that_is_not_the_same_is_told(marked: tuple[Marker, tuple[Done, ...]]) -> None:
     marker, done = marked
     changed = [

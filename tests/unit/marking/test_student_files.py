@@ -59,6 +59,7 @@ def test_each_has_two_reports(out: Path) -> None:
     assert "Facts for an appeal" in (out / "staff/students/anna-berg/report.html").read_text()
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", NAMES)
 def test_a_student_file_holds_nothing_of_the_staff_of_others_or_of_the_machine(
     out: Path, name: str

@@ -54,6 +54,7 @@ TASKS = [
 ]
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(("text", "marks", "part"), TASKS)
 def test_a_task_without_objects(
     text: str, marks: dict[str, float], part: str, tmp_path: Path

@@ -101,6 +101,7 @@ def test_each_of_two_mistakes_costs_points_alone(mutant: Mutant) -> None:
         assert not found.full
 
 
+@pytest.mark.thorough
 def test_choosing_is_the_same_every_time_and_other_seeds_give_others() -> None:
     original = originals()["03"]
     first = one_mistake(original, 3)

@@ -109,6 +109,7 @@ def test_a_program_that_fits_the_example_alone_loses_points_and_is_told_why(tmp_
     assert '"never: in the <b>gate</b> while it is shut"' in scenario
 
 
+@pytest.mark.thorough
 def test_a_program_that_waits_loses_nothing(tmp_path: Path) -> None:
     a = assessed(load_task(written(tmp_path)), WAITS)
     assert a.grade is not None
@@ -147,6 +148,7 @@ def test_nobody_proves_anything_where_no_task_asks(
     assert a.grade.mark == 10
 
 
+@pytest.mark.thorough
 def test_a_run_without_a_proof_cannot_tell(tmp_path: Path) -> None:
     setting = load_task(written(tmp_path))
     a = assessed(setting, WAITS)
@@ -257,6 +259,7 @@ def test_the_mark_is_the_same_again(tmp_path: Path) -> None:
     assert assessment_json(first) == assessment_json(again)
 
 
+@pytest.mark.thorough
 def test_every_future_comes_last_among_the_verdicts(tmp_path: Path) -> None:
     asks = f'{ASKS}\n[[rule]]\nmust_use = "MOVES"\n'
     a = assessed(load_task(written(tmp_path, asks)), WAITS)

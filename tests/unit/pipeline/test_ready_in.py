@@ -2,6 +2,8 @@
 
 from pathlib import Path
 
+import pytest
+
 from tests.unit.pipeline.test_proof_of_task import WAITS, assessed, written
 from vrts.pipeline.files import CHECKOUT
 from vrts.pipeline.settings import load_task
@@ -32,6 +34,7 @@ def test_a_run_speaks_of_its_scenario_alone() -> None:
     assert assessment_json(a)["ready_in"] == "this scenario"
 
 
+@pytest.mark.thorough
 def test_a_proof_speaks_of_every_future(tmp_path: Path) -> None:
     a = assessed(load_task(written(tmp_path)), WAITS)
     assert told(a) == "yes, in every future"

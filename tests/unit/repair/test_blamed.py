@@ -75,6 +75,7 @@ WRONG = {  # of a program: what is right there, what is written instead, and wha
 CHEAP = 3  # of them in the usual run
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     "name",
     [

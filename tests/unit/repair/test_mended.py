@@ -45,6 +45,7 @@ def of(text: str, budget: Budget | None = None) -> Mended:
 DEAR = "number"  # which is mended by a command in the usual run: `test_fix_behaviour`
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     "kind",
     [*(kind for kind in MISTAKES if kind != DEAR), pytest.param(DEAR, marks=pytest.mark.thorough)],

@@ -181,6 +181,7 @@ def test_what_a_certificate_says_of_itself_is_read_without_trust(
         read_certificate(retold(written(), change))
 
 
+@pytest.mark.thorough
 @settings(max_examples=examples(60), deadline=None)
 @given(st.data())
 def test_no_altered_byte_is_an_exception_or_proves_something_else(data: st.DataObject) -> None:

@@ -239,6 +239,7 @@ def refused(one: Case, claims: Claims | None = None, by: Evidence | None = None)
     return problem.value.what
 
 
+@pytest.mark.thorough
 def test_certificates_hold() -> None:
     for name in CASES:
         one = case(name)

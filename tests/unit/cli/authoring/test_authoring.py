@@ -75,6 +75,7 @@ def test_what_is_new_passes_its_own_checks(origin: tuple[str, ...], tmp_path: Pa
     assert "  reference      10.0 of 10\n  empty program   0.0 of 10\n" in task.stdout
 
 
+@pytest.mark.thorough
 def test_a_task_can_be_made_of_a_scene_that_is_there(tmp_path: Path) -> None:
     assert vrts("new", "scene", "lab", cwd=tmp_path).returncode == 0
     scene = (tmp_path / "lab" / "scene.toml").read_bytes()

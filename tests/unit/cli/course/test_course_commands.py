@@ -6,6 +6,8 @@ import sqlite3
 import stat
 from pathlib import Path
 
+import pytest
+
 from tests.support_commands import vrts_text
 from tests.support_course import course_folder
 from vrts.live.settings import DATABASE
@@ -71,6 +73,7 @@ def test_all_faults_are_shown_at_once(tmp_path: Path) -> None:
     assert (said.returncode, "course.toml" in said.stderr) == (2, True)
 
 
+@pytest.mark.thorough
 def test_who_is_still_listed_is_not_forgotten_unless_that_is_meant(tmp_path: Path) -> None:
     course, live = course_folder(tmp_path / "course"), ("--folder", str(tmp_path / "live"))
     assert vrts_text("course", "letters", course, *live, *ADDRESS, "-o", "-").returncode == 0

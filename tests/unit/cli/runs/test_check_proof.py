@@ -38,6 +38,7 @@ def test_a_certificate_says_what_is_proven_and_of_what(proofs: Path) -> None:
     assert "controller  val2, sha256" in text
 
 
+@pytest.mark.thorough
 def test_contacts_are_proven_too_and_no_others(proofs: Path) -> None:
     result = vrts("check-proof", proofs / "hits.cert", HITS)
     assert result.returncode == 0

@@ -163,6 +163,7 @@ def test_ctrl_c_ends_replays_and_their_workers(jobs: str, tmp_path: Path) -> Non
     assert process.returncode == (3 if left[1] == b"3" else 1)
 
 
+@pytest.mark.thorough
 def test_ctrl_c_tells_what_is_known_so_far(tmp_path: Path) -> None:
     program = tmp_path / "count.v2"
     program.write_text(COUNTS_FOR_EVER)

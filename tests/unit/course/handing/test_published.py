@@ -38,6 +38,7 @@ def marked(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
     return course.folder, home / "out"
 
 
+@pytest.mark.thorough
 def test_hand_ins_are_marked_under_the_right_names(marked: tuple[Path, Path]) -> None:
     _, out = marked
     rows = class_from_bytes(Layout(out).results.read_bytes()).rows

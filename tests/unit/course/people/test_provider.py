@@ -78,6 +78,7 @@ def test_who_is_on_the_list_comes_in_with_their_role(both: Both) -> None:
     assert (me(both, student) or {})["supervisor"] is False
 
 
+@pytest.mark.thorough
 @needs_provider
 def test_strangers_and_addresses_that_are_not_verified_are_refused_in_words(both: Both) -> None:
     status, said, visitor = came(both, "eve")
@@ -120,6 +121,7 @@ def test_a_provider_that_is_down_leaves_the_other_ways(both: Both) -> None:
     assert came_in(both.server, "Di Ek")
 
 
+@pytest.mark.thorough
 def test_without_a_provider_the_server_begins_no_connection(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

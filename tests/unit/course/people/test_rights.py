@@ -190,6 +190,7 @@ def test_who_has_not_chosen_a_password_does_not_log_in_without_one() -> None:
         assert asyncio.run(Passwords().right(typed, NOT_CHOSEN, "an address")) is False
 
 
+@pytest.mark.thorough
 def test_people_follow_the_files_while_the_server_runs(
     server: LiveServer, ada: str, cy: str, tmp_path: Path
 ) -> None:

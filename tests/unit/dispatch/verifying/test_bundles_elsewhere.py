@@ -154,6 +154,7 @@ def test_what_was_changed_is_told(
     assert not (tmp_path / "sheet.html").exists()
 
 
+@pytest.mark.thorough
 def test_a_bundle_that_would_be_refused_now_says_why(bundle: bytes, tmp_path: Path) -> None:
     lower = forged("given/program", b"900.0004 30 100", b"900 30 -400")(bundle)
     done = verified(tmp_path, lower)

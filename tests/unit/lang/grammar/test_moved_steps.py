@@ -50,6 +50,7 @@ def read(text: str, before: int, dialect: Dialect) -> Statement | None:
     return None if problems.found else step.statement
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("dialect", [VAL2, VAL2_PLUS, VAL, VPLUS, AS], ids=lambda d: d.name)
 def test_a_moved_step_is_the_step_read_there(dialect: Dialect) -> None:
     found = [(read(text, 0, dialect), read(text, BY, dialect)) for text in steps()]
@@ -61,6 +62,7 @@ def test_a_moved_step_is_the_step_read_there(dialect: Dialect) -> None:
         assert moved(other, -BY) == one
 
 
+@pytest.mark.thorough
 def test_every_form_of_a_step_is_moved() -> None:
     seen = {
         type(read(text, 0, dialect))

@@ -112,6 +112,7 @@ def test_long_lists_are_no_riddle() -> None:
         assert codes(body)  # would take minutes
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     ("more", "expected"),
     [
@@ -147,6 +148,7 @@ def chain(count: int, call: str) -> str:
     return "".join(f".PROGRAM p{k}(a)\n" + call.format(k + 1) + ".END\n" for k in range(count))
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     ("dialect", "text"),
     [

@@ -74,6 +74,7 @@ def ends(server: LiveServer) -> bool:
     return not helpers(server)
 
 
+@pytest.mark.thorough
 def test_a_program_is_checked_completed_explained_and_mended(server: LiveServer) -> None:
     with link(server, server.enter("Anna")) as socket:
         editor = Editor(socket, WRONG)

@@ -32,6 +32,7 @@ def nobody_stays(server: LiveServer) -> Iterator[None]:
     server.close_browsers()
 
 
+@pytest.mark.thorough
 def test_who_is_right_comes_in_whatever_others_typed(tmp_path: Path) -> None:
     with LiveServer(tmp_path / "live") as own:
         told: set[tuple[int, str]] = set()

@@ -117,6 +117,7 @@ def test_a_class_has_a_row_for_every_room(kept: Path, tmp_path: Path) -> None:
     assert "Solved" in again
 
 
+@pytest.mark.thorough
 def test_one_room_is_named_and_its_task_is_known(kept: Path, tmp_path: Path) -> None:
     home = tmp_path / "vrts-live"
     home.mkdir()
@@ -130,6 +131,7 @@ def test_one_room_is_named_and_its_task_is_known(kept: Path, tmp_path: Path) -> 
     assert "no room `Nowhere`" in said
 
 
+@pytest.mark.thorough
 def test_an_exported_log_is_marked_alike(kept: Path, tmp_path: Path) -> None:
     connection = opened(kept)
     data = log.export(connection, "room1", names=False)

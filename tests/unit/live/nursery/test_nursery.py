@@ -74,6 +74,7 @@ async def until_gone(pid: int) -> None:
     os.close(ends)
 
 
+@pytest.mark.thorough
 def test_sessions_are_forked_and_end_as_processes_of_their_own(
     tmp_path: Path, caplog: pytest.LogCaptureFixture
 ) -> None:

@@ -89,6 +89,7 @@ def test_poses_come_in_blocks_that_are_whole(questions: Questions) -> None:
     assert beyond.message == "the rehearsal does not reach so far"
 
 
+@pytest.mark.thorough
 def test_a_program_without_end_is_run_to_a_limit_which_is_said() -> None:
     questions = Questions()
     ready = questions.ready(ENDLESS)

@@ -7,6 +7,8 @@ from collections.abc import Callable, Coroutine
 from pathlib import Path
 from typing import Any
 
+import pytest
+
 from tests.support_live import Browser, LiveServer
 from tests.unit.live.rooms.test_session_deaths import boss_cookie, done, session_of, settled
 from vrts.live.logs.log_file import read_log
@@ -45,6 +47,7 @@ def until_it_took_effect(boss: Browser) -> None:
         pass
 
 
+@pytest.mark.thorough
 def test_nothing_is_acknowledged_while_the_disk_is_full(tmp_path: Path) -> None:
     with LiveServer(tmp_path / "live") as server:
         boss, _ = settled(server, server.supervisor())

@@ -54,6 +54,7 @@ def kill_until_it_waits(server: LiveServer, boss: Browser) -> Json:
     return boss.wait("no_session", lambda m: m["why"] != "")
 
 
+@pytest.mark.thorough
 def test_a_session_that_is_killed_goes_on_from_its_log(tmp_path: Path) -> None:
     with LiveServer(tmp_path / "live") as server:
         cookie = server.enter("Anna")
@@ -78,6 +79,7 @@ def test_a_session_that_is_killed_goes_on_from_its_log(tmp_path: Path) -> None:
         assert "place" in done(anna, lease, "line", line="LISTL place")
 
 
+@pytest.mark.thorough
 def test_who_dies_again_and_again_waits_for_the_supervisor(tmp_path: Path) -> None:
     with LiveServer(tmp_path / "live") as server:
         boss, _ = settled(server, server.supervisor())
@@ -116,6 +118,7 @@ def boss_cookie(boss: Browser) -> str:
     return request.headers["cookie"]
 
 
+@pytest.mark.thorough
 def test_a_room_whose_scene_is_not_offered_says_so_and_keeps_all(tmp_path: Path) -> None:
     both = ("cans-on-bases", "one-can-ur5")
     server = LiveServer(tmp_path / "live", scenes=both)

@@ -3,6 +3,8 @@
 import logging
 from pathlib import Path
 
+import pytest
+
 from tests.support_live import LiveServer
 from vrts.live.administration import last_backup, save_backup
 from vrts.live.new_account import add_user
@@ -12,6 +14,7 @@ from vrts.live.watching.log_tail import KEPT, LONGEST, LogTail, follow_log
 from vrts.live.watching.machine import Machine
 
 
+@pytest.mark.thorough
 def test_only_a_supervisor_with_an_account_sees_how_the_server_is(tmp_path: Path) -> None:
     folder = tmp_path / "live"
     boss = {"user": "Dr. Lee", "password": "correct horse"}

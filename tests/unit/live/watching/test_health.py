@@ -71,6 +71,7 @@ def test_it_is_well_until_nothing_can_be_written_or_sessions_die(
     assert asyncio.run(ask())[0] == 200
 
 
+@pytest.mark.thorough
 def test_a_server_tells_its_health_to_whoever_asks(tmp_path: Path) -> None:
     with LiveServer(tmp_path / "live") as server:
         answer = server.request("GET", "/health", origin="")

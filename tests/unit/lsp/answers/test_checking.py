@@ -38,6 +38,7 @@ def test_a_mistake_is_underlined_with_a_link_to_its_explanation(
         assert page.read_text("utf-8").startswith("# V120")
 
 
+@pytest.mark.thorough
 def test_edits_in_the_middle_of_a_line_are_followed(tmp_path: Path) -> None:
     with Client(tmp_path) as client:
         client.open("a.v2", BAD)

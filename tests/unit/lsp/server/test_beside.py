@@ -7,6 +7,8 @@ from pathlib import Path
 from queue import Queue
 from typing import Any
 
+import pytest
+
 from tests.places import ROOT
 from tests.support_lsp import PATIENCE, Client
 from tests.unit.lsp.server.messages.test_bad_words import TOLD, begun
@@ -14,6 +16,7 @@ from tests.unit.lsp.server.messages.test_bad_words import TOLD, begun
 CANS = ROOT / "examples" / "01-cans-on-bases"
 
 
+@pytest.mark.thorough
 def test_mark_and_recording_follow_the_text_once_somebody_asks(tmp_path: Path) -> None:
     shutil.copy(CANS / "task.toml", tmp_path)
     right = (CANS / "solution.v2").read_text()

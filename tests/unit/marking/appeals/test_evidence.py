@@ -126,6 +126,7 @@ def test_everything_is_in_it(marked: Marked, evidence: bytes) -> None:
     assert {"lab1/staff/task.toml", "lab1/task.toml"} <= members(found["task.zip"]).keys()
 
 
+@pytest.mark.thorough
 def test_nothing_of_anybody_else_is_in_it(marked: Marked, evidence: bytes) -> None:
     names = (SECRET, SECRET.split()[0], "Zwölfer", "Zw\\u00f6lfer", "cara")
     inside = members(evidence)

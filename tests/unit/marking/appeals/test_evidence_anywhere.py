@@ -11,6 +11,7 @@ from tests.support_commands import vrts_text
 EXAMPLE = ROOT / "examples" / "01-cans-on-bases"
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     ("folder", "inside", "task"),
     [

@@ -109,6 +109,7 @@ def readable(data: bytes) -> list[bytes]:
     return found
 
 
+@pytest.mark.thorough
 def test_nothing_that_leaves_names_anybody_or_this_machine(sent: Sent) -> None:
     for path in (*sent.shards, *sent.results):
         for text in (path.name.encode(), *readable(path.read_bytes())):

@@ -136,6 +136,7 @@ def test_what_is_no_corpus_is_told(tmp_path: Path) -> None:
     assert found.programs == {}
 
 
+@pytest.mark.thorough
 def test_a_marking_is_the_corpus_of_the_next_and_is_purged(tmp_path: Path) -> None:
     for year, text in (("2025", ORIGINAL), ("2026", disguised())):
         folder = tmp_path / f"in-{year}"

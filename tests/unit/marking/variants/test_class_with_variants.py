@@ -165,6 +165,7 @@ def test_what_marking_needs_is_asked_for(home: Home, tmp_path: Path) -> None:
     assert not (tmp_path / "out").exists()
 
 
+@pytest.mark.thorough
 def test_what_a_variant_gives_is_no_evidence_of_likeness(home: Home, marked: Layout) -> None:
     given = read_kept(place_of(marked)).given
     varied, key = load_varied(home.lab), key_of(home.lab / NAME)

@@ -67,6 +67,7 @@ def often(set_: Callable[[object, str, object], None]) -> None:
     set_(search, "SOON", 120)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(("body", "answer"), [(TOUCHES, Answer.VIOLATED), (WITHIN, Answer.HOLDS)])
 def test_late_answers_change_nothing(
     body: str, answer: Answer, monkeypatch: pytest.MonkeyPatch
@@ -100,6 +101,7 @@ def killed(new: New) -> Looked:
     return looked_at(new)
 
 
+@pytest.mark.thorough
 @in_a_process
 def test_other_processes_change_nothing_even_where_they_are_killed() -> None:
     often(setattr)

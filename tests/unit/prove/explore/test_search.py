@@ -290,6 +290,7 @@ b 700 -200 300 90 90 0
 """
 
 
+@pytest.mark.thorough
 def test_what_comes_on_while_the_program_stands_is_lost_to_reactions() -> None:
     module = compiled(WATCHES)
     free = prove(module, ALONE, Environment(), Asking(), entry="main")

@@ -105,6 +105,7 @@ def test_a_block_of_what_is_in_the_file_is_the_one_that_it_was(tmp_path: Path) -
     assert plain(block(run, 0, 0.0)) == before
 
 
+@pytest.mark.thorough
 def test_of_a_past_that_is_forgotten_in_part_the_rest_is_told(tmp_path: Path) -> None:
     driven = Driven(tmp_path, history=1)
     eventful(driven)

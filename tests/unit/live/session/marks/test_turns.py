@@ -55,6 +55,7 @@ def test_a_turn_is_had_until_it_is_given_back_or_who_has_it_ends() -> None:
             pass
 
 
+@pytest.mark.thorough
 def test_a_session_checks_when_it_is_its_turn_and_gives_it_back(tmp_path: Path) -> None:
     driven = Driven(tmp_path)
     with tempfile.TemporaryFile() as file:

@@ -157,6 +157,7 @@ def something(driven: Driven, chance: random.Random) -> None:
     driven.run(chance.choice((0.02, 0.3, 2.0, 11.0)))
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     "seed", [1, *[pytest.param(n, marks=pytest.mark.thorough) for n in range(2, 8)]]
 )

@@ -256,6 +256,7 @@ def test_no_script_asks_an_index_for_vrts(tmp_path: Path) -> None:
     ]
 
 
+@pytest.mark.thorough
 def test_a_wheel_of_what_runs_here_goes_in(tmp_path: Path) -> None:
     target = tmp_path / "a.zip"
     status, said = init("gradescope", EXAMPLE, "-o", target)
