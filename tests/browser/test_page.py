@@ -118,6 +118,7 @@ def test_line_events_and_contact_follow_the_time(report: Opened) -> None:
 
 
 def test_the_lanes_show_the_run_and_go_where_they_are_clicked(report: Opened) -> None:
+    report.page.locator("#lanes").scroll_into_view_if_needed()
     names = report.page.locator("#lanes .name").all_inner_texts()
     assert names[0] == "Line"
     assert {"Gripper", "Contacts"} <= set(names)
