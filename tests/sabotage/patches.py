@@ -3379,6 +3379,20 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/marking/proposer/test_by_fcl.py",),
     ),
     Patch(
+        "what a kept child died of counts as answered",
+        "vrts/marking/proposer/by_fcl.py",
+        "_put(found, 0, _of_kept(self._kept, asked, places))",
+        "max(_put(found, 0, _of_kept(self._kept, asked, places)), 2)",
+        ("tests/unit/marking/proposer/test_kept.py",),
+    ),
+    Patch(
+        "a kept child that died is not replaced",
+        "vrts/marking/proposer/kept.py",
+        "for _ in range(MOST_STARTS):",
+        "for _ in range(1):",
+        ("tests/unit/marking/proposer/test_kept.py",),
+    ),
+    Patch(
         "a child may die for ever",
         "vrts/marking/proposer/by_fcl.py",
         "self.deaths >= self._most_deaths or",

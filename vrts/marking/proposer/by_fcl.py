@@ -15,6 +15,7 @@ import numpy.typing as npt
 from vrts.geometry.proposing.nobody import nothing
 from vrts.geometry.proposing.proposer import Proposals, Questions
 from vrts.geometry.shapes import Shape
+from vrts.marking.proposer import kept as keeping
 from vrts.marking.proposer.process import Process
 from vrts.marking.proposer.wire import ANSWER, Asked, places_of, proposals, to_bytes
 
@@ -28,9 +29,22 @@ class ByFcl:
 
     name: str = FCL
 
-    def __init__(self, *, most_deaths: int = MOST_DEATHS, longest_s: float = LONGEST_S) -> None:
-        """Start nothing yet."""
+    def __init__(
+        self,
+        *,
+        most_deaths: int = MOST_DEATHS,
+        longest_s: float = LONGEST_S,
+        kept: str | None = None,
+    ) -> None:
+        """Start nothing yet.
+
+        Args:
+            most_deaths: After so many nobody is asked any more.
+            longest_s: For one batch [s].
+            kept: Address of a child that is kept, and asked first; None: there is none.
+        """
         self.deaths = 0
+        self._kept = kept
         self._most_deaths = most_deaths
         self._longest_s = longest_s
         self._process: Process | None = None
@@ -39,8 +53,9 @@ class ByFcl:
         self._given_up = False
 
     def __enter__(self) -> Self:
-        """Start the child, which loads its libraries meanwhile."""
-        self._started()
+        """Start the child, which loads its libraries meanwhile; not where another is kept."""
+        if self._kept is None:
+            self._started()
         return self
 
     def __exit__(
@@ -57,15 +72,11 @@ class ByFcl:
         count = len(asked.first)
         found = nothing(count)
         places = places_of(asked)
-        done = 0
+        done = 0 if self._kept is None else _put(found, 0, _of_kept(self._kept, asked, places))
         while done < count and not self._given_up:
             rest = slice(done, count)
             answers = self._asked(asked.first[rest], asked.second[rest], places[rest])
-            number = len(answers) // ANSWER
-            got = proposals(answers[: number * ANSWER])
-            for ours, theirs in zip(found, got, strict=True):
-                ours[done : done + number] = theirs
-            done += number
+            done = _put(found, done, answers)
             if done < count:  # it died of this one
                 done += 1
                 self._bury()
@@ -119,3 +130,23 @@ class ByFcl:
             self._process.end()
         self._process = None
         self._numbers = {}
+
+
+def _put(found: Proposals, done: int, answers: bytes) -> int:
+    """Put whole answers behind those there are already; return how many there are then."""
+    number = len(answers) // ANSWER
+    got = proposals(answers[: number * ANSWER])
+    for ours, theirs in zip(found, got, strict=True):
+        ours[done : done + number] = theirs
+    return done + number
+
+
+def _of_kept(address: str, asked: Questions, places: npt.NDArray[np.float64]) -> bytes:
+    """Return the answers of a child that is kept, which knows no shape of other times."""
+    shapes = {id(shape): shape for shape in (*asked.first, *asked.second)}
+    numbers = {key: number for number, key in enumerate(shapes)}
+    pairs = [
+        (numbers[id(a)], numbers[id(b)]) for a, b in zip(asked.first, asked.second, strict=True)
+    ]
+    message = to_bytes(Asked(tuple(shapes.values()), np.array(pairs, dtype=np.int32), places))
+    return keeping.asked(address, message, ANSWER * len(pairs))

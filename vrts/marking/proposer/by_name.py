@@ -24,13 +24,14 @@ ALONE: Final = By()
 
 
 @contextmanager
-def by_name(engine: str | None, *, asked: bool = True) -> Generator[By]:
+def by_name(engine: str | None, *, asked: bool = True, kept: str | None = None) -> Generator[By]:
     """Give whom to ask; a child starts at once, loads beside us, and ends with the block.
 
     Args:
         engine: "coal", "fcl", "own", or None for the best of this process. fcl gives the second
             opinion about what others propose.
         asked: Whether anything will be asked at all.
+        kept: Address of a child that gives second opinions to many processes; None: there is none.
 
     Raises:
         ImportError: coal is asked for and not installed.
@@ -40,5 +41,5 @@ def by_name(engine: str | None, *, asked: bool = True) -> Generator[By]:
         return
     made = {None: here, COAL: coal_itself, OWN: Nobody}
     ours = None if engine == FCL else made[engine]()
-    with ByFcl() as fcl:
+    with ByFcl(kept=None if ours is None else kept) as fcl:
         yield By(fcl, None) if ours is None else By(ours, fcl)

@@ -100,6 +100,13 @@ def load_for_children() -> None:
     importlib.import_module(CHILD)
 
 
+def silenced(first: int) -> None:
+    """Leave nothing open of what the parent has from a number on, and complain nowhere."""
+    null = os.open(os.devnull, os.O_WRONLY)
+    os.dup2(null, 2)  # words of a library that gives up
+    os.closerange(first, 4096)  # the ends of our own pipes too
+
+
 class _Spawned:
     """A process started anew."""
 
@@ -153,12 +160,10 @@ def _be_child(asked: int, tell: int) -> NoReturn:
     try:
         signal.signal(signal.SIGINT, signal.SIG_DFL)
         signal.signal(signal.SIGTERM, signal.SIG_DFL)
-        null = os.open(os.devnull, os.O_WRONLY)
-        os.dup2(null, 2)  # words of a library that gives up
         asked, tell = os.dup(asked), os.dup(tell)  # lest one of them is where the other goes
         os.dup2(asked, 0)
         os.dup2(tell, 1)
-        os.closerange(3, 4096)  # what is open here is the parent's: the ends of our own pipes too
+        silenced(3)
         importlib.import_module(CHILD).serve(0, 1)
     finally:
         os._exit(0)

@@ -20,6 +20,7 @@ from vrts.check.mark.earned import not_reached
 from vrts.controllers.models import FIRST
 from vrts.controllers.values import digest
 from vrts.marking.proposer.by_name import By, by_name
+from vrts.marking.proposer.kept import Kept
 from vrts.marking.proposer.process import load_for_children
 from vrts.marking.result import (
     SCORING,
@@ -37,7 +38,7 @@ from vrts.marking.submission.report_files import FAULT, RECORDING, REPORT, Reade
 from vrts.marking.submission.setting import Place, load
 from vrts.marking.submission.sketch import SKETCH
 from vrts.marking.submission.summary import result_of, unmarked
-from vrts.marking.supervise.limits import Limits, for_mending, for_states
+from vrts.marking.supervise.limits import Limits, for_mending, for_states, impose
 from vrts.marking.supervise.scratch import scratch_folder
 from vrts.pipeline.setting import Setting
 from vrts.report.audience import for_student
@@ -81,6 +82,7 @@ class Marker:
         every = {entry.check for entry in not_reached(self.whole.task)}
         self.hidden = frozenset(every - known)  # names of checks
         self.variant = place.variant and OfVariant(place.variant)
+        self.kept: Kept | None = None  # gives second opinions to all processes, once warm
 
     def of(self, identifier: str) -> "Marker":
         """Return what marks the program of a student: it may have a variant of its own."""
@@ -141,15 +143,25 @@ class Marker:
             prepare(self.whole.scene)
         if self.wanted.collisions:
             load_for_children()
+            if sys.platform == "linux" and self.kept is None:  # who warms up forks
+                limits = self.limits
+                self.kept = Kept(lambda: impose(limits))
         with scratch_folder() as folder:
             self._work(order, folder, quiet)
+
+    def rest(self) -> None:
+        """End what was kept for all processes."""
+        if self.kept is not None:
+            self.kept.end()
+        self.kept = None
 
     def work(self, order: Order, folder: Path) -> bytes:
         """Mark, write pages and recordings, and answer with the results."""
         return msgspec.json.encode(self._work(order, folder, self.wanted))
 
     def _work(self, order: Order, folder: Path, wanted: Wanted) -> Marks:
-        with by_name(wanted.engine, asked=wanted.collisions) as by:
+        kept = None if self.kept is None else self.kept.address
+        with by_name(wanted.engine, asked=wanted.collisions, kept=kept) as by:
             staff = self._mark(order, self.whole, wanted, by)
             same = self.public is self.whole
             student = staff if same else self._mark(order, self.public, wanted, by)

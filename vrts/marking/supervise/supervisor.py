@@ -75,10 +75,10 @@ class Supervisor(Generic[Order]):
 
     def run(self, orders: Iterable[Order]) -> Generator[Finished[Order], None, None]:
         """Yield every order once, as it is finished; closing it ends the processes under way."""
-        if self._fork:
-            self._worker.warm_up()
         again: deque[Order] = deque()
         try:
+            if self._fork:
+                self._worker.warm_up()
             for done in self._pool(deque(orders), self._jobs):
                 if isinstance(done.outcome, Lost):
                     again.append(done.order)
@@ -90,6 +90,7 @@ class Supervisor(Generic[Order]):
                 shutil.rmtree(done.folder, ignore_errors=True)
         finally:
             self._end_all()
+            self._worker.rest()
 
     def _pool(self, waiting: deque[Order], jobs: int) -> Iterator[Finished[Order]]:
         while waiting or self._running:

@@ -13,6 +13,10 @@ class Worker(Protocol[Order]):
         """Load everything that all processes need; where processes are forked they inherit it."""
         ...
 
+    def rest(self) -> None:
+        """Give up what `warm_up` keeps for all processes: there are none any more."""
+        ...
+
     def work(self, order: Order, folder: Path) -> bytes:
         """Carry out an order in a process of its own; may write files into a folder of its own."""
         ...

@@ -55,6 +55,7 @@ class VariantsMarker(Marker):
             if tag not in self._made:
                 self._made[tag] = Marker(self.places[tag], self.wanted)
             found = self._made[tag]
+            found.kept = self._plain.kept
         if found.wanted is not self.wanted:  # this is a copy that wants less
             found = copy(found)
             found.wanted = self.wanted
@@ -71,6 +72,10 @@ class VariantsMarker(Marker):
     def warm_up(self) -> None:
         """Load what all share."""
         self._plain.warm_up()
+
+    def rest(self) -> None:
+        """Give up what was kept for all."""
+        self._plain.rest()
 
     def lost(self, order: Order, sentence: str) -> Marks:
         """Return the results of an order whose process was ended."""

@@ -94,6 +94,9 @@ class Doer:
         """Count."""
         self.warm += 1
 
+    def rest(self) -> None:
+        """Keep nothing."""
+
     def work(self, order: Deed, folder: Path) -> bytes:
         """Do it."""
         return do(order.what, folder)
