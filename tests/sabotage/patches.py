@@ -40,6 +40,13 @@ PATCHES: tuple[Patch, ...] = (
     *COURSE,
     *WAITING,
     Patch(
+        "a thing that is put across two stands on one of them only, for a task",
+        "vrts/check/goals/reached.py",
+        "return (placement.support, *next(landed, ()))",
+        "return (placement.support,)",
+        ("tests/unit/engine/hand/test_rests_on_several.py",),
+    ),
+    Patch(
         "an editor that takes no snippets is sent some",
         "vrts/lsp/server/helping.py",
         "        asked[:] = [True] if _snippets(params) else []",

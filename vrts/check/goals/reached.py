@@ -13,6 +13,7 @@ from vrts.check.goals.related import Lying, missing, share
 from vrts.check.goals.too_fast import overruns
 from vrts.check.task.goals import Choice, Goal, Phases, Relation
 from vrts.check.task.task import Task
+from vrts.engine.memory.events import Landed
 from vrts.engine.memory.records import Lie, Placement
 from vrts.engine.run import Run, pose_of
 from vrts.scene.model import Mobility
@@ -67,12 +68,12 @@ def reached(run: Run, task: Task, time_s: float | None = None) -> tuple[Reached,
     state = run.at(time_s)
     placements, X_WF = state.placements, state.X_WF
     lying = {
-        body.name: Lying(body, body.X_WO, None)
+        body.name: Lying(body, body.X_WO, ())
         if body.mobility is Mobility.FIXED
         else Lying(
             body,
             pose_of(placements[body.name], time_s, X_WF),
-            placements[body.name].support,
+            _supports(run, placements[body.name]),
         )
         for body in run.scene.bodies
     }
@@ -165,6 +166,20 @@ def _related(
     return Reached(
         relation, relation.body, done, done, found.position_mm, found.orientation_deg, problem
     )
+
+
+def _supports(run: Run, placement: Placement) -> tuple[str, ...]:
+    """Return what a body rests on: more than one, where it was put across several."""
+    if placement.support is None:
+        return ()
+    landed = (
+        event.also
+        for event in run.events
+        if isinstance(event, Landed)
+        and event.body == placement.body
+        and event.time_s == placement.start_s
+    )
+    return (placement.support, *next(landed, ()))
 
 
 def _problem(placement: Placement) -> str | None:

@@ -22,7 +22,7 @@ class Lying(NamedTuple):
 
     body: Body
     X_WO: Pose
-    support: str | None  # what it rests on
+    supports: tuple[str, ...]  # all that it rests on
 
 
 def missing(relation: Relation, lying: Mapping[str, Lying]) -> Errors:
@@ -46,7 +46,7 @@ def missing(relation: Relation, lying: Mapping[str, Lying]) -> Errors:
         case Stands.NEARER:
             return _by(relation.distance - (u - x))
         case Stands.ON:
-            if this.support != relation.other:
+            if relation.other not in this.supports:
                 return _by(FARTHEST)
             away = 0.0 if relation.tolerance is None else max(abs(x - u), abs(y - v))
             return _by(away)

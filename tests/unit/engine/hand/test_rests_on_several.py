@@ -4,6 +4,7 @@ from typing import Any
 
 import pytest
 
+from tests.support_goals import results
 from tests.support_programs import happened, ran
 from vrts.base.source import SourceFile
 from vrts.debug.alarms import Alarms
@@ -95,6 +96,13 @@ def test_the_table_of_events_finds_it_by_each_of_them(name: str) -> None:
     asked = f"where what = landed and body = {name}"
     found = Tables(run, Alarms(run, None)).asked("events", asked, Instant(0.0, 0))
     assert found.total == 1
+
+
+@pytest.mark.parametrize(("place", "stands"), [("950 -100 -75", 1), ("950 -131 -75", 0)])
+def test_a_goal_is_reached_on_each_of_them(place: str, stands: int) -> None:
+    wanted = (f'[[relation]]\nobject = "can"\nstacked_on = "{on}"\n' for on in ("left", "right"))
+    left, right = results(put(place), "".join(wanted))
+    assert (left.share, right.share) == (1, stands)
 
 
 def test_on_one_of_them_nothing_is_added() -> None:
