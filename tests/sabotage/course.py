@@ -16,8 +16,16 @@ OWN_SLEEP = "tests/unit/live/rooms/test_own_sleep.py"
 SLOTS = "tests/unit/course/robots/test_slots.py"
 
 COMMENTS = "tests/browser/test_comments_page.py"
+HAND_IN = "tests/browser/test_hand_in_page.py"
 
 COURSE: tuple[Patch, ...] = (
+    Patch(
+        "the room hands in what is saved, not what is in the editor",
+        "vrts/web/live/editor/workbench.js",
+        '?? "", text(), opened.name',
+        '?? "", saved, opened.name',
+        (HAND_IN,),
+    ),
     Patch(
         "what graders say of a moment does not come up when the replay passes it",
         "vrts/web/report/comments.js",
