@@ -17,8 +17,16 @@ SLOTS = "tests/unit/course/robots/test_slots.py"
 
 COMMENTS = "tests/browser/test_comments_page.py"
 HAND_IN = "tests/browser/test_hand_in_page.py"
+PAGES = "tests/browser/test_course_pages.py"
 
 COURSE: tuple[Patch, ...] = (
+    Patch(
+        "on a phone the list of people goes on beyond the edge",
+        "vrts/web/course/people/people.css",
+        "@media (max-width: 760px) {",
+        "@media (max-width: 76px) {",
+        (PAGES,),
+    ),
     Patch(
         "the room hands in what is saved, not what is in the editor",
         "vrts/web/live/editor/workbench.js",

@@ -48,4 +48,6 @@ onSubmit(form, async () => {
   }
 });
 
+// a whole link that comes into the address of this page, after half of one
+window.addEventListener("hashchange", () => { if (location.hash.length > 1) location.reload(); });
 void begin();

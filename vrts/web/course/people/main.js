@@ -3,6 +3,7 @@
 import { button, byId, make, onSubmit, write } from "../../live/dom.js";
 import { settle } from "../../live/focus.js";
 import { isolated } from "../../live/names.js";
+import { when } from "../work/words.js";
 import { asked, told } from "./asking.js";
 
 const EVERY = 5_000; // [ms]
@@ -38,13 +39,18 @@ function row(person) {
   const { account, name, email, rank, rooms, team, seen, here, way, listed, origin } = person;
   const leads = rank === "assistant" ? ` in ${rooms.length ? rooms.join(", ") : "all rooms"}` : "";
   const is = listed ? `${rank}${leads}` : "on no list any more: does not come in";
-  const last = here ? make("span", { class: "people-here", text: "here now" }) : seen ? new Date(seen * 1000).toLocaleString() : "never";
+  const last = here ? make("span", { class: "people-here", text: "here now" }) : seen ? when(seen) : "never";
   const acts = listed ? [button("New link", () => void attempt(link(account)), { "aria-label": `New link for ${name}` })] : [];
   if (listed && origin === "page") acts.push(button("End", () => void attempt(end(account)), { "aria-label": `End for ${name}`, title: "Let them in no more" }));
   return make("tr", { "data-key": String(account), class: listed ? "" : "away" },
     make("th", { scope: "row" }, isolated(name), ...(origin === "page" ? [make("span", { class: "tag", text: "added here" })] : [])),
-    make("td", {}, make("bdi", { text: email })), make("td", { text: is }), make("td", {}, make("bdi", { text: team })),
-    make("td", {}, last), make("td", { text: listed ? WAYS[way] : "" }), make("td", {}, ...acts));
+    make("td", { class: "people-mail" }, make("bdi", {}, ...address(email))), make("td", { text: is }), make("td", { "data-of": "Team" }, make("bdi", { text: team })),
+    make("td", { "data-of": "Was here last" }, last), make("td", { "data-of": "Comes in by" }, listed ? WAYS[way] : ""), make("td", { class: "people-acts" }, ...acts));
+}
+
+/** Return an address that breaks before its signs, where it has to. @param {string} email */
+function address(email) {
+  return email.split(/(?=[@.])/).flatMap((part, index) => (index ? [document.createElement("wbr"), part] : [part]));
 }
 
 /** @param {number} account */
@@ -93,6 +99,7 @@ async function look() {
     const fault = now?.fault ?? "";
     shown = text;
     now = found;
+    byId("people-list").hidden = byId("people-more").hidden = false; // nothing to fill in for who may not
     if (found.fault) problem(`The files of the course are faulty, so people stay as they were: ${found.fault}`);
     else if (fault) problem("");
     rooms(found.rooms);
