@@ -189,7 +189,7 @@ class LiveServer:
             if "this machine" in line:
                 break
         said = "".join(self.said)
-        found = re.search(r"https?://[^\s:]+(?::(\d+))?$", said.splitlines()[0])
+        found = re.search(r"^serving .* https?://[^\s:]+(?::(\d+))?$", said, re.MULTILINE)
         assert found is not None, said
         self.port = int(found[1] or port)
         self.host = f"127.0.0.1:{self.port}"

@@ -13,6 +13,7 @@ RIGHTS = "tests/unit/course/people/test_rights.py"
 CHECKS = "tests/unit/live/entrance/test_provider_checks.py"
 PROVIDER = "tests/unit/course/people/test_provider.py"
 OWN_SLEEP = "tests/unit/live/rooms/test_own_sleep.py"
+VARIANTS = "tests/unit/course/variants/test_variants_of_course.py"
 SLOTS = "tests/unit/course/robots/test_slots.py"
 
 COMMENTS = "tests/browser/test_comments_page.py"
@@ -215,5 +216,26 @@ COURSE: tuple[Patch, ...] = (
         "            for one in raised\n",
         "            for one in raised[:0]\n",
         ("tests/unit/course/robots/test_own_robots.py",),
+    ),
+    Patch(
+        "a variant is drawn again whenever somebody asks for it",
+        "vrts/course/variants/giving.py",
+        "        before = was.get(names[0])\n",
+        "        before = None\n",
+        (VARIANTS,),
+    ),
+    Patch(
+        "each of a team has another variant of the task",
+        "vrts/course/variants/giving.py",
+        "        handed = dict.fromkeys(names, handed_to(varied.variants, variant))",
+        "        handed = dict.fromkeys(names[:1], handed_to(varied.variants, variant))",
+        (VARIANTS,),
+    ),
+    Patch(
+        "the same program is marked once for people who have other variants",
+        "vrts/course/handing/queue.py",
+        "        job = Job(one.assignment, one.digest, one.variant)",
+        "        job = Job(one.assignment, one.digest)",
+        (HANDING_RULES,),
     ),
 )

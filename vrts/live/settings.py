@@ -1,16 +1,21 @@
 """What a server is told when it is started."""
 
+import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final, NamedTuple
 
+from vrts.base.safe_names import safe
+
 DATABASE: Final = "live.sqlite"  # in the server's folder
 SESSIONS: Final = "sessions"  # folder for the sessions' own files
+VARIANTS: Final = "variants"  # tasks that are another one for each student, each by its tag
 EDITING: Final = "editing"  # empty folder in which language servers begin
 REHEARSING: Final = "rehearsing"  # empty folder in which rehearsals begin
 HISTORY_QUOTA: Final = 64_000_000  # bytes of a session's file of what is older than ten minutes
 LOG_QUOTA: Final = 256_000_000  # bytes of the log of a session
+_TAG: Final = re.compile(r"[a-z]{4}-[a-z]{4}")
 
 
 class Place(NamedTuple):
@@ -49,3 +54,27 @@ class Settings:
     def place(self, id_: str) -> Place | None:
         """Return a scene of the set."""
         return next((place for place in self.places if place.id == id_), None)
+
+
+def variant_task(server: Path, assignment: str, tag: str, task: Path) -> Path:
+    """Return where the file of a variant's task is; a course writes it before a room is opened.
+
+    Args:
+        server: Folder of the server.
+        assignment: Id of the assignment: that of the place, too.
+        tag: Of the variant.
+        task: File of the task as it is written.
+
+    Raises:
+        ValueError: That is no tag.
+    """
+    if not _TAG.fullmatch(tag):
+        raise ValueError(f"`{tag}` is no tag of a variant")
+    return server / VARIANTS / assignment / tag / safe(task.parent.name) / task.name
+
+
+def own_place(server: Path, place: Place, tag: str) -> Place:
+    """Return a place of the set in a variant; as it is written where the tag is empty."""
+    if not tag:
+        return place
+    return place._replace(task=str(variant_task(server, place.id, tag, Path(place.task))))

@@ -1,5 +1,6 @@
 """`vrts course check`."""
 
+import shlex
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -9,6 +10,7 @@ from vrts.cli.shared.console import WRONG, fail, guarded, out, show_diagnostics
 from vrts.cli.shared.options import color_option
 
 if TYPE_CHECKING:
+    from vrts.course.course import Course
     from vrts.course.people.sources import Read
 
 EPILOG = """\b
@@ -43,6 +45,8 @@ def command(folder: Path, color: str) -> None:
 def served(read: "Read") -> list[str]:
     """Return what will be served, in lines."""
     from vrts.course.places import places_of_course
+    from vrts.live.session.setting import has_variants
+    from vrts.pipeline.files import TASK_FILE
 
     course = read.course
     assert course is not None, "was looked at"
@@ -65,4 +69,17 @@ def served(read: "Read") -> list[str]:
         lines.append(
             f"  assignment   {one.id}: {opens}{attempts}{', by teams' if one.team else ''}"
         )
+        if has_variants(one.task / TASK_FILE):
+            each = "team" if one.team else "student"
+            lines.append(
+                f"               another variant for each {each}: {_fair(one.task, course)}"
+            )
     return lines
+
+
+def _fair(task: Path, course: "Course") -> str:
+    """Return which command tells whether variants are fair; nobody has one without a list."""
+    if course.roster is None:
+        return "nobody gets one without `roster`"
+    words = (str(task), "--roster", str(course.roster))
+    return f"`vrts task check {shlex.join(words)}` tells whether they are fair"

@@ -239,8 +239,9 @@ def command(
         log_key=log_key,
         private_rooms=private_rooms,
     )
+    shared = "rooms" if course is None else "each student has one; rooms that all share"
     for name in with_variants(settings.places):
-        say(f"note: `{name}` has variants: rooms get it as it is written, the same for all")
+        say(f"note: `{name}` has variants: {shared} get it as it is written, the same for all")
     listening = Listening(host, port, tls_cert, tls_key, behind_proxy)
     try:
         # its result are the ways in

@@ -13,6 +13,7 @@ from starlette.responses import FileResponse, Response
 from starlette.routing import BaseRoute, Route
 
 from vrts.check.task.late_rules import Keep
+from vrts.course.beside import Beside
 from vrts.course.course import Assignment, Course
 from vrts.course.facts import Facts, facts_of, unix
 from vrts.course.front.own_page import OwnPage
@@ -33,6 +34,7 @@ from vrts.course.handing.standing import Refusal, opened
 from vrts.course.handing.taking import Taking
 from vrts.course.handing.telling import Telling
 from vrts.course.people.watching import WatchedPeople
+from vrts.course.variants.own_variants import OwnVariants
 from vrts.live.front.bodies import as_json, read_body
 from vrts.live.front.guard import refused
 from vrts.live.front.http import Pages
@@ -67,14 +69,25 @@ NOT_WRITTEN: Final = (
 class AssignmentPages:
     """The handlers."""
 
-    def __init__(self, watched: WatchedPeople, hub: Hub, pages: Pages) -> None:
-        """Tell of the course that `watched` follows; `pages` knows whose cookies there are."""
+    def __init__(
+        self, watched: WatchedPeople, hub: Hub, pages: Pages, variants: OwnVariants, beside: Beside
+    ) -> None:
+        """Tell of the course that `watched` follows.
+
+        Args:
+            watched: The course.
+            hub: Of the server.
+            pages: Know whose cookies there are.
+            variants: Who has which.
+            beside: The process that reads tasks; it ends with these pages.
+        """
         folder = hub.settings.folder / HANDING
         self._hub = hub
         self._pages = pages
-        self._taking = Taking(watched.course, hub.database)
+        self._variants = variants
+        self._taking = Taking(watched.course, hub.database, variants)
         self._marking = Marking(self._taking, hub.database, folder)
-        self._telling = Telling(folder / "telling")
+        self._telling = Telling(beside)
         self._page = OwnPage("course/work")
         self._rate = Buckets(*HAND_INS)
         self._reading: Counter[int] = Counter()
@@ -145,7 +158,11 @@ class AssignmentPages:
         found = await self._asked(request)
         if isinstance(found, Response):
             return found
-        text = await self._telling.text(found[1].assignment)
+        account, facts = found
+        own = await self._variants.of(facts.assignment, account.id)
+        if own.problem:
+            return as_json(TextTold((), "", own.problem))
+        text = await self._telling.text(own.task)
         return as_json(TextTold(text.blocks, text.start, text.problem))
 
     async def hand_in(self, request: Request) -> Response:
@@ -192,7 +209,7 @@ class AssignmentPages:
         if isinstance(found, Response):
             return found
         _, attempt = found
-        path = self._marking.page(attempt.assignment, attempt.digest)
+        path = self._marking.page(attempt)
         if not await asyncio.to_thread(path.is_file):
             return refused(404, "page", "there is no page about this attempt")
         return _in_sandbox(path)
@@ -227,7 +244,7 @@ class AssignmentPages:
 
     def _follow(self, course: Course) -> None:
         """Take the course as its file is now."""
-        self._taking.course = course
+        self._taking.course = self._variants.course = course
         self._hub.course = bool(course.assignments)
 
     async def _asked(self, request: Request) -> tuple[Account, Facts] | Response:
@@ -297,7 +314,7 @@ class AssignmentPages:
         )
 
     def _told(self, one: Attempt, places: dict[Job, int], names: dict[int, str]) -> AttemptTold:
-        page: Path = self._marking.page(one.assignment, one.digest)
+        page: Path = self._marking.page(one)
         return AttemptTold(
             one.number,
             one.at,
@@ -307,7 +324,9 @@ class AssignmentPages:
             one.late,
             one.said,
             names.get(one.by or 0, ""),
-            places.get(Job(one.assignment, one.digest)) if one.state == "waiting" else None,
+            places.get(Job(one.assignment, one.digest, one.variant))
+            if one.state == "waiting"
+            else None,
             one.state == "marked" and page.is_file(),
             tuple(
                 LossTold(points(abs(Fraction(x.points))), x.cause, x.line, x.time_s, x.hint, x.why)

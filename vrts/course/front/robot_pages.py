@@ -12,6 +12,7 @@ from starlette.routing import BaseRoute, Route
 from vrts.course.course import Course
 from vrts.course.people.watching import WatchedPeople
 from vrts.course.robots.own_robots import OwnRobots
+from vrts.course.variants.own_variants import OwnVariants
 from vrts.live.front.bodies import as_json, read_body
 from vrts.live.front.guard import refused
 from vrts.live.front.http import Pages
@@ -77,11 +78,13 @@ class AllTold(msgspec.Struct, frozen=True):
 class RobotPages:
     """The handlers."""
 
-    def __init__(self, people: WatchedPeople, hub: Hub, pages: Pages) -> None:
+    def __init__(
+        self, people: WatchedPeople, hub: Hub, pages: Pages, variants: OwnVariants
+    ) -> None:
         """Serve the robots of the course that `people` follows; `pages` knows whose cookies are."""
         self._hub = hub
         self._pages = pages
-        self._robots = OwnRobots(people.course, hub)
+        self._robots = OwnRobots(people.course, hub, variants)
         self._follow(people.course)
         people.changed.append(self._follow)
 

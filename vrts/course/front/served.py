@@ -4,8 +4,9 @@ from collections.abc import Sequence
 
 from starlette.routing import BaseRoute
 
+from vrts.course.beside import Beside
 from vrts.course.course import Course
-from vrts.course.front.assignment_pages import AssignmentPages
+from vrts.course.front.assignment_pages import HANDING, AssignmentPages
 from vrts.course.front.board_pages import BoardPages
 from vrts.course.front.course_pages import CoursePages
 from vrts.course.front.login_pages import LoginPages
@@ -13,6 +14,7 @@ from vrts.course.front.people_pages import PeoplePages
 from vrts.course.front.robot_pages import RobotPages
 from vrts.course.front.slot_pages import SlotPages
 from vrts.course.people.watching import WatchedPeople
+from vrts.course.variants.own_variants import OwnVariants
 from vrts.live.front.added import Added, Adding
 from vrts.live.front.http import Pages
 from vrts.live.rooms.hub import Hub
@@ -57,13 +59,15 @@ def adding(course: Course) -> Adding:
 
 def _parts(course: Course, hub: Hub, sessions: Sessions, pages: Pages) -> tuple[Added, ...]:
     """Return the parts of a course in the order in which they begin."""
-    people = WatchedPeople(course, hub)
+    people, folder = WatchedPeople(course, hub), hub.settings.folder
+    beside = Beside(folder / HANDING / "telling")
+    variants = OwnVariants(course, hub.database, folder, beside)
     return (
         PeoplePages(people, hub, pages),
         LoginPages(people, hub, pages),
         CoursePages(people, hub, pages),
-        RobotPages(people, hub, pages),
+        RobotPages(people, hub, pages, variants),
         SlotPages(people, hub, pages),
-        AssignmentPages(people, hub, pages),
+        AssignmentPages(people, hub, pages, variants, beside),
         BoardPages(people, hub, pages),
     )

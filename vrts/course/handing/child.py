@@ -12,8 +12,19 @@ import msgspec
 
 from vrts.assignments.handed.of_folder import readme_to_hand_out
 from vrts.assignments.task_folder import read_folder
+from vrts.assignments.variants.handed_out import tags_in
+from vrts.assignments.variants.of_task import load_varied
 from vrts.course.handing.public_marker import PAGE, PublicMarker
-from vrts.course.handing.spoken import LONGEST, Asked, MarkIt, PublicMark, TellIt, Words
+from vrts.course.handing.spoken import (
+    LONGEST,
+    Asked,
+    MarkIt,
+    PublicMark,
+    TellIt,
+    Words,
+)
+from vrts.course.variants.asked import GiveIt, Given
+from vrts.course.variants.giving import Giver
 from vrts.marking.submission.one import Order
 from vrts.marking.supervise.outcome import Answer
 from vrts.marking.supervise.staging import staging_folder
@@ -21,11 +32,13 @@ from vrts.marking.supervise.supervisor import Supervisor
 from vrts.pipeline.files import CannotRead
 from vrts.pipeline.refused import Refused
 from vrts.pipeline.settings import load_task
+from vrts.report.plain import capital
 
 TITLE: Final = "program.v2"
 START: Final = "start.v2"
 NO_TASK: Final = "the task has a fault that only your teacher can mend: your program is kept"
 LOST: Final = "your program {}: it has no public mark; your teacher can mark it by hand"
+OTHER: Final = "it names the variant `{}`, and yours is `{}`: it is marked by yours"
 KEPT: Final = 2  # markers
 
 
@@ -35,10 +48,17 @@ class Reader:
     def __init__(self) -> None:
         """Begin with none."""
         self._markers: dict[tuple[str, int], PublicMarker] = {}
+        self._giver = Giver()
 
-    def answer(self, asked: Asked) -> PublicMark | Words:
+    def answer(self, asked: Asked) -> PublicMark | Words | Given:
         """Return what was asked for."""
-        return _words(Path(asked.task)) if isinstance(asked, TellIt) else self._mark(asked)
+        match asked:
+            case TellIt():
+                return _words(Path(asked.task))
+            case GiveIt():
+                return self._giver.give(asked)
+            case MarkIt():
+                return _with_doubt(self._mark(asked), asked)
 
     def _mark(self, asked: MarkIt) -> PublicMark:
         try:
@@ -64,6 +84,16 @@ class Reader:
         return self._markers[key]
 
 
+def _with_doubt(found: PublicMark, asked: MarkIt) -> PublicMark:
+    """Return a mark that tells where a program says that it is for somebody else's variant."""
+    others = [tag for tag in tags_in(asked.program) if tag != asked.variant]
+    if not asked.variant or not others:
+        return found
+    doubt = OTHER.format(others[0], asked.variant)
+    said = f"{found.said}; {doubt}" if found.said else capital(doubt)
+    return msgspec.structs.replace(found, said=said)
+
+
 def _kept(outcome: object, draft: Path, page: Path) -> PublicMark:
     """Return what a process answered, and move the page that it wrote."""
     if not isinstance(outcome, Answer):
@@ -84,8 +114,11 @@ def newest(folder: Path) -> int:
 def _words(task: Path) -> Words:
     folder = task.parent
     try:
-        readme = readme_to_hand_out(folder, load_task(task, staff=False)).decode()
-        start = read_folder(folder).public.get(START, b"").decode(errors="replace")
+        public = load_task(task, staff=False)
+        readme = readme_to_hand_out(folder, public).decode()
+        varied = public.task is not None and public.task.variants is not None
+        files = load_varied(folder).as_written() if varied else read_folder(folder).public
+        start = files.get(START, b"").decode(errors="replace")
     except (CannotRead, Refused) as problem:
         said = problem.message if isinstance(problem, CannotRead) else "its task has errors"
         return Words(problem=said)

@@ -30,6 +30,7 @@ class HandIn(msgspec.Struct, frozen=True):
     people: tuple[tuple[int, str], ...]  # account and folder of everybody for whom it counts
     late: str  # in words
     program: bytes
+    variant: str = ""  # tag of the variant that it is for; empty: the task has none
 
     @property
     def digest(self) -> str:

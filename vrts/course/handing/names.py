@@ -25,6 +25,11 @@ def folder_of(key: str, email: str) -> str:
     return f"{safe(called)[:60]}-{hashlib.sha256(called.encode()).hexdigest()[:8]}"
 
 
+def page_of(digest: str, variant: str) -> str:
+    """Return the name of the page about a program: marked by another variant it has another one."""
+    return f"{digest}-{variant}.html" if variant else f"{digest}.html"
+
+
 def zone_of(facts: Facts) -> tzinfo:
     """Return the zone in which folders tell times: that of the deadline, as marking takes it."""
     return (facts.due.tzinfo if facts.due is not None else None) or UTC

@@ -11,6 +11,7 @@ class Job(NamedTuple):
 
     assignment: str
     digest: str
+    variant: str = ""  # tag
 
 
 def in_order(waiting: Sequence[Attempt]) -> list[Job]:
@@ -25,7 +26,7 @@ def in_order(waiting: Sequence[Attempt]) -> list[Job]:
     found: dict[Job, tuple[int, float]] = {}
     for one in waiting:
         who = one.account if one.by is None else one.by
-        job = Job(one.assignment, one.digest)
+        job = Job(one.assignment, one.digest, one.variant)
         if job in found:
             continue
         turns[who] = turns.get(who, -1) + 1

@@ -2,6 +2,7 @@
 
 import msgspec
 
+from vrts.course.variants.asked import GiveIt
 from vrts.live.store.course.attempts import Loss
 
 LONGEST = 16_000_000  # bytes of a line
@@ -14,6 +15,7 @@ class MarkIt(msgspec.Struct, frozen=True, tag="mark"):
     digest: str
     program: bytes
     page: str  # path that its page is written to
+    variant: str = ""  # tag of the variant that the task is; empty: it has none
 
 
 class TellIt(msgspec.Struct, frozen=True, tag="tell"):
@@ -40,4 +42,4 @@ class Words(msgspec.Struct, frozen=True):
     problem: str = ""  # why there is nothing
 
 
-Asked = MarkIt | TellIt
+Asked = MarkIt | TellIt | GiveIt

@@ -1,16 +1,10 @@
 """Whether somebody may hand in at a moment, and what that would cost: by the rules of the task."""
 
 from datetime import UTC, datetime
-from typing import Final, NamedTuple
+from typing import NamedTuple
 
 from vrts.course.facts import Facts
 from vrts.marking.lateness import lateness
-
-VARIANTS: Final = (
-    "variants",
-    "this task has another variant for each student: the page does not take its programs",
-    "get your own task from your teacher, and hand in where they say",
-)
 
 
 class Refusal(NamedTuple):
@@ -41,9 +35,7 @@ def opened(facts: Facts, at: float) -> bool:
     return facts.opens is None or facts.opens.timestamp() <= at
 
 
-def standing(
-    facts: Facts, used: int, at: float, *, due: datetime | None = None, varied: bool = False
-) -> Standing:
+def standing(facts: Facts, used: int, at: float, *, due: datetime | None = None) -> Standing:
     """Return how an assignment stands.
 
     Args:
@@ -51,7 +43,6 @@ def standing(
         used: Attempts that were made.
         at: Now, Unix time [s].
         due: A later deadline of one's own; None: that of all.
-        varied: Whether its task is another one for each student.
     """
     rules = facts.rules
     counted = (facts.assignment.attempts, None if rules is None else rules.attempts)
@@ -62,9 +53,7 @@ def standing(
         more = (due or rules.due) - rules.due
         closes = rules.due + more if rules.is_exam else rules.closed and rules.closed + more
     refusal = None
-    if varied:
-        refusal = Refusal(*VARIANTS)
-    elif not opened(facts, at):
+    if not opened(facts, at):
         refusal = Refusal("early", "this assignment is not open yet")
     elif late.closed:
         what = "the exam is closed" if rules is not None and rules.is_exam else "it is closed"

@@ -12,7 +12,7 @@ from vrts.course.handing import deposit
 from vrts.course.handing.deposit import HandIn
 from vrts.course.handing.names import folder_of, stamp_of, time_of, zone_of
 from vrts.course.handing.standing import Refusal, Standing, standing
-from vrts.live.session.setting import has_variants
+from vrts.course.variants.own_variants import OwnVariants, members_of
 from vrts.live.store.course.attempts import (
     Attempt,
     add_attempts,
@@ -22,7 +22,7 @@ from vrts.live.store.course.attempts import (
 )
 from vrts.live.store.course.people import Person, people, person_of
 from vrts.live.store.database import Connection, Database
-from vrts.pipeline.files import TASK_FILE, CannotRead
+from vrts.pipeline.files import CannotRead
 
 GONE: Final = "the file is not in the folder of the hand-ins any more"
 NOT_LISTED: Final = Refusal(
@@ -47,9 +47,10 @@ class Taken(NamedTuple):
 class Taking:
     """The one who writes hand-ins of a course."""
 
-    def __init__(self, course: Course, database: Database) -> None:
-        """Take a course; `mend` comes first."""
+    def __init__(self, course: Course, database: Database, variants: OwnVariants) -> None:
+        """Take a course, and who knows its variants; `mend` comes first."""
         self.course = course  # as its file is now
+        self.variants = variants
         self._database = database
         self._writing = asyncio.Lock()
 
@@ -59,8 +60,7 @@ class Taking:
 
     def standing(self, facts: Facts, used: int, at: float, due: datetime | None = None) -> Standing:
         """Return how an assignment stands; `used`: attempts made, `at`: Unix time [s]."""
-        varied = has_variants(facts.assignment.task / TASK_FILE)
-        return standing(facts, used, at, due=due, varied=varied)
+        return standing(facts, used, at, due=due)
 
     async def take(
         self, account: int, assignment: Assignment, program: bytes, at: float, seen: tuple[int, str]
@@ -78,6 +78,9 @@ class Taking:
             OSError: Nothing could be written.
             CannotRead: The task is not there any more.
         """
+        own = await self.variants.of(assignment, account)
+        if own.problem:
+            return Refusal("variants", own.problem)
         async with self._writing:
             facts = await asyncio.to_thread(facts_of, assignment)
             now = int(at)
@@ -107,6 +110,7 @@ class Taking:
                 tuple((one.account, folder_of(one.key, one.email)) for one in members),
                 stands.late,
                 program,
+                own.tag,
             )
             pending = await asyncio.to_thread(deposit.begin, self.course.handed_in, hand_in)
             numbers = await self._finish(hand_in)
@@ -160,12 +164,19 @@ class Taking:
             }
 
         there = await asyncio.to_thread(look)
+        known, rows = await self._database.do(
+            lambda c: (
+                {folder_of(one.key, one.email): one.account for one in people(c)},
+                {(one.account, one.at) for one in all_attempts(c, id_)},
+            )
+        )
+        new = {known[who] for who, at in there if who in known and (known[who], at) not in rows}
+        own = {account: await self.variants.of(facts.assignment, account) for account in new}
         stands = await asyncio.to_thread(
             lambda: {at: self.standing(facts, 0, at).late for _, at in there}
         )
 
         def fit(connection: Connection) -> None:
-            known = {folder_of(one.key, one.email): one.account for one in people(connection)}
             files = {
                 (known[folder], at): digest
                 for (folder, at), digest in there.items()
@@ -175,7 +186,8 @@ class Taking:
             for (account, at), digest in sorted(files.items(), key=lambda one: one[0][1]):
                 if (account, at) not in rows:
                     row = Attempt(account, id_, 0, at, account, digest, "waiting")
-                    add_attempts(connection, [row._replace(late=stands[at])], id_)
+                    tag = own[account].tag if account in own else ""
+                    add_attempts(connection, [row._replace(late=stands[at], variant=tag)], id_)
             for (account, at), row in rows.items():
                 if row.state == "waiting" and (account, at) not in files:
                     keep_mark(connection, row._replace(state="failed", said=GONE))
@@ -193,6 +205,7 @@ def _row(hand_in: HandIn, account: int) -> Attempt:
         hand_in.digest,
         "waiting",
         late=hand_in.late,
+        variant=hand_in.variant,
     )
 
 
@@ -203,19 +216,9 @@ def _look(
 
     None: they may not hand in.
     """
-    person = person_of(connection, account)
-    if person is None or person.rank != "student" or not person.listed:
+    members = list(members_of(connection, account, assignment))
+    if not members:
         return None
-    members = [person]
-    if assignment.team and person.team:
-        members += [
-            one
-            for one in people(connection)
-            if one.team == person.team
-            and one.rank == "student"
-            and one.listed
-            and one.account != account
-        ]
     every = [attempts_of(connection, one.account, assignment.id) for one in members]
     latest = max((one.at for own in every for one in own), default=0.0)
     return members, every[0], latest

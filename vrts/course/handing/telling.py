@@ -4,14 +4,13 @@ import asyncio
 from pathlib import Path
 from typing import Final, NamedTuple
 
-from vrts.course.course import Assignment
-from vrts.course.handing.beside import Beside, Died
+from vrts.course.beside import Beside, Died
 from vrts.course.handing.spoken import TellIt, Words
 from vrts.course.handing.words import Block, blocks_of
-from vrts.pipeline.files import TASK_FILE
+from vrts.course.variants.task_stamp import task_stamp
 
 MOST_S: Final = 60.0  # for one task [s]
-MOST_FILES: Final = 1000  # of a task, whose times are looked at
+KEPT: Final = 64  # tasks and variants whose words are kept
 NOT_READ: Final = "the task cannot be read now: tell your teacher"
 
 
@@ -24,27 +23,30 @@ class Text(NamedTuple):
 
 
 class Telling:
-    """Knows the words of each task, and reads them again when it was changed."""
+    """Knows the words of tasks that were asked of last, and reads them again after a change."""
 
-    def __init__(self, folder: Path) -> None:
-        """Take a folder of the server for the process."""
-        self._beside = Beside(folder)
-        self._known: dict[str, tuple[int, Text]] = {}
+    def __init__(self, beside: Beside) -> None:
+        """Take the process that reads tasks."""
+        self._beside = beside
+        self._known: dict[Path, tuple[int, Text]] = {}
 
-    async def text(self, assignment: Assignment) -> Text:
-        """Return what students get of an assignment."""
-        stamp = await asyncio.to_thread(_stamp, assignment.task)
-        known = self._known.get(assignment.id)
+    async def text(self, task: Path) -> Text:
+        """Return what students get of a task, by its file."""
+        stamp = await asyncio.to_thread(task_stamp, task.parent)
+        known = self._known.get(task)
         if known is not None and known[0] == stamp:
             return known[1]
-        asked = TellIt(str((assignment.task / TASK_FILE).resolve()))
+        asked = TellIt(str(task))
         try:
             words = await self._beside.ask(asked, Words, MOST_S)
         except Died:
             return Text(problem=NOT_READ)
         blocks = await asyncio.to_thread(blocks_of, words.readme)
         text = Text(blocks, words.start, words.problem)
-        self._known[assignment.id] = (stamp, text)
+        self._known.pop(task, None)
+        while len(self._known) >= KEPT:
+            del self._known[next(iter(self._known))]
+        self._known[task] = (stamp, text)
         return text
 
     async def beat(self) -> None:
@@ -54,14 +56,3 @@ class Telling:
     async def end(self) -> None:
         """End the process."""
         await self._beside.end()
-
-
-def _stamp(folder: Path) -> int:
-    """Return what is another number when a file of a task was changed, or there is another one."""
-    times: list[int] = []
-    for path in folder.rglob("*"):
-        if path.is_file():
-            times.append(path.stat().st_mtime_ns)
-        if len(times) >= MOST_FILES:
-            break
-    return hash((max(times, default=0), len(times)))

@@ -8,10 +8,10 @@ import msgspec
 
 from vrts.course.course import HANDED_IN
 from vrts.course.handing.deposit import PENDING, HandIn
-from vrts.course.handing.names import folder_of
+from vrts.course.handing.names import folder_of, page_of
 from vrts.course.handing.published import PUBLISHED
 from vrts.live.personal.names import Names, accounts_of
-from vrts.live.store.course.attempts import all_attempts, attempts_of
+from vrts.live.store.course.attempts import Attempt, all_attempts, attempts_of
 from vrts.live.store.course.people import person_of
 from vrts.live.store.database import Connection
 
@@ -23,7 +23,7 @@ class Whose(NamedTuple):
 
     accounts: tuple[int, ...]
     folders: tuple[str, ...]  # that their hand-ins lie in
-    programs: frozenset[tuple[str, str]]  # assignment, and digest of a program of theirs alone
+    programs: frozenset[tuple[str, str]]  # assignment, and page about a program of theirs alone
     listed: bool  # whether the list of the class names them
 
 
@@ -38,10 +38,8 @@ def whose(connection: Connection, name: str) -> Whose:
     """Return what files call a person, from the server's database."""
     accounts = accounts_of(connection, Names(name))
     people = [person for one in accounts if (person := person_of(connection, one)) is not None]
-    own = {(a.assignment, a.digest) for one in accounts for a in attempts_of(connection, one)}
-    others = {
-        (a.assignment, a.digest) for a in all_attempts(connection) if a.account not in accounts
-    }
+    own = {_page(a) for one in accounts for a in attempts_of(connection, one)}
+    others = {_page(a) for a in all_attempts(connection) if a.account not in accounts}
     folders = tuple(dict.fromkeys(folder_of(one.key, one.email) for one in people))
     listed = any(one.listed and one.rank == "student" for one in people)
     return Whose(tuple(accounts), folders, frozenset(own - others), listed)
@@ -63,10 +61,14 @@ def files_of(course: Path, server: Path, who: Whose) -> Iterator[Kept]:
     for path in sorted((course / HANDED_IN / PENDING).glob("*.json")):
         if _is_of(path, who):
             yield Kept(path, f"{HANDED_IN}/waiting/{path.name}")
-    for assignment, digest in sorted(who.programs):
-        for path in sorted((server / REPORTS).glob(f"*/{digest}*")):
+    for assignment, page in sorted(who.programs):
+        for path in sorted((server / REPORTS).glob(f"*/*/{page}")):
             if path.is_file() and path.parent.name == assignment:
                 yield Kept(path, f"reports/{assignment}/{path.name}")
+
+
+def _page(attempt: Attempt) -> tuple[str, str]:
+    return attempt.assignment, page_of(attempt.digest, attempt.variant)
 
 
 def _below(own: Path, name: str) -> Iterator[Kept]:

@@ -5,6 +5,7 @@ from typing import Final, NamedTuple
 
 from vrts.course.course import Assignment, Course
 from vrts.course.facts import facts_of
+from vrts.course.variants.own_variants import OwnVariants
 from vrts.live.refusal import NotObeyed
 from vrts.live.rooms.entering import send_away
 from vrts.live.rooms.hub import Hub
@@ -47,9 +48,10 @@ class Found(NamedTuple):
 class OwnRobots:
     """The robots of their own of a course."""
 
-    def __init__(self, course: Course, hub: Hub) -> None:
-        """Serve a course."""
+    def __init__(self, course: Course, hub: Hub, variants: OwnVariants) -> None:
+        """Serve a course; `variants` knows who has which."""
         self._course = course
+        self._variants = variants
         self._hub = hub
         self._making = Making(hub, course.limits)
         self._titles: dict[str, str] = {}
@@ -86,7 +88,24 @@ class OwnRobots:
             if not _belongs(account, person):
                 raise NotObeyed("role", "robots of one's own are for those on a list of the course")
             raise NotObeyed("scene", "there is no such scene or assignment, or it is not open yet")
-        return await self._making.room(wanted)
+        return await self._making.room(await self._varied(wanted))
+
+    async def _varied(self, wanted: Wanted) -> Wanted:
+        """Return a robot with the variant of its task that those have whose it is.
+
+        Raises:
+            NotObeyed: They cannot have it.
+        """
+        task = next((one for one in self._course.assignments if one.id == wanted.assignment), None)
+        if task is None:
+            return wanted
+        try:
+            own = await self._variants.of(task, wanted.account)
+        except CannotRead as problem:
+            raise NotObeyed("scene", problem.message) from problem
+        if own.problem:
+            raise NotObeyed("scene", own.problem)
+        return wanted._replace(variant=own.tag)
 
     def found(self, account: Account, words: str, begin: int) -> tuple[list[Found], int]:
         """Return some robots in whose name words stand, and how many there are in all."""

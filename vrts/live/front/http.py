@@ -123,7 +123,12 @@ class Pages:
             log = await hub.database.do(lambda c: export(c, room, names=True))
             said = await hub.database.do(lambda c: said_to_all(c, room))
             chat = tuple(Said(*line) for line in said)  # a page is handed on: no private lines
-            order = Order(hub.rooms[room].kept.name, log, hub.settings.places, chat)
+            shown = hub.rooms[room]
+            own = hub.place(shown)
+            places = tuple(
+                own if own is not None and one.id == own.id else one for one in hub.settings.places
+            )
+            order = Order(shown.kept.name, log, places, chat)
             try:
                 page = await replay_page(order)
             except NoPage as problem:

@@ -18,7 +18,7 @@ from vrts.live.protocol.listed import RoomEntry
 from vrts.live.protocol.over_http import HowIn
 from vrts.live.rooms.member import Member
 from vrts.live.rooms.room import Room
-from vrts.live.settings import Settings
+from vrts.live.settings import Place, Settings, own_place
 from vrts.live.store.accounts import Account
 from vrts.live.store.bars import Bars
 from vrts.live.store.database import Database
@@ -97,6 +97,11 @@ class Hub:
             again = DISK_LOST.format(lost) if lost else DISK_AGAIN
             text = f"{NO_DISK}; {DISK_HELP}" if problem else again
             room.tell(Chat(number, wall(), "", "", text), number)
+
+    def place(self, room: Room) -> Place | None:
+        """Return what a room is about, which in a robot of one's own may be one's own variant."""
+        place = self.settings.place(room.kept.scene)
+        return place and own_place(self.settings.folder, place, room.variant)
 
     def entries(self, account: Account) -> tuple[RoomEntry, ...]:
         """Return the rooms that somebody may enter; of others' own rooms there are too many."""

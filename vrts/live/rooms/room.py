@@ -136,6 +136,14 @@ class Room:
         return entry if self.own is None else structs.replace(entry, own=self.whose)
 
     @property
+    def variant(self) -> str:
+        """Tag of the variant of its task that it has; empty: the task as it is written."""
+        if self.branch is not None:
+            return self.branch.variant
+        own = self.own
+        return own.variant if own is not None and own.assignment == self.kept.scene else ""
+
+    @property
     def shared(self) -> bool:
         """Whether it is nobody's in particular."""
         return self.branch is None and self.own is None

@@ -260,7 +260,7 @@ class Sessions:
         else:
             folder = self._folder / Path(sleeping.folder).name
         room.pace = FULL_RATE
-        place = hub.settings.place(room.kept.scene)
+        place = hub.place(room)
         assert place is not None
         begun = False
 

@@ -11,11 +11,12 @@ class Branch(NamedTuple):
     owner: int | None  # account; None: purged, so that only supervisors may enter
     origin: str  # id of the room whose session it goes on from
     at_s: float  # from this session time on [s]
+    variant: str = ""  # tag of the variant of its task; empty: the task as it is written
 
 
 def keep_branch(connection: sqlite3.Connection, branch: Branch) -> None:
     """Write that a room is private."""
-    connection.execute("INSERT INTO branch VALUES (?,?,?,?)", branch)
+    connection.execute("INSERT INTO branch VALUES (?,?,?,?,?)", branch)
 
 
 def branch_of(connection: sqlite3.Connection, room: str) -> Branch | None:

@@ -255,6 +255,12 @@ STEPS: Final = (
     ) WITHOUT ROWID;
     CREATE INDEX slot_of ON slot (account);
     """,
+    """
+    -- tasks that are another one for each student: by which a program was handed in, a room goes
+    ALTER TABLE attempt ADD COLUMN variant TEXT NOT NULL DEFAULT '';
+    ALTER TABLE own_room ADD COLUMN variant TEXT NOT NULL DEFAULT '';
+    ALTER TABLE branch ADD COLUMN variant TEXT NOT NULL DEFAULT '';
+    """,
 )
 
 

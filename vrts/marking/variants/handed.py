@@ -77,10 +77,10 @@ def variants_of(
     doubts: dict[str, str] = {}
     gone: list[Member] = []
     for member in members.members:
-        was = handed.get(_name(members.platform, member))
-        combination = None if was is None else _combination(varied.variants, was.values)
-        if was is not None and combination is not None:
-            found[member.number] = Variant(combination, was.tag)
+        was = handed.get(name_of(members.platform, member))
+        variant = None if was is None else variant_of(varied.variants, was)
+        if variant is not None:
+            found[member.number] = variant
             continue
         found[member.number] = varied.drawn(key, member.drawn_by)
         if was is not None:
@@ -157,15 +157,35 @@ def handed_bytes(
     Raises:
         Refused: What is there was not written with this key.
     """
+    students = {
+        name_of(members.platform, member): handed_to(variants, given.variants[member.number])
+        for member in members.members
+    }
+    return sealed_with(place, key, variants.assignment, students)
+
+
+def sealed_with(place: Path, key: bytes, assignment: str, students: Students) -> bytes:
+    """Return what is written down beside a key with more students in it, or others' variants.
+
+    Raises:
+        Refused: What is there was not written with this key.
+    """
     tasks = _tasks(place_of_handed(place), key)
-    students = tasks.setdefault(variants.assignment, {})
-    for member in members.members:
-        variant = given.variants[member.number]
-        chosen = zip(variants.varies, variant.combination, strict=True)
-        values = {vary.name: vary.choices[choice] for vary, choice in chosen}
-        students[_name(members.platform, member)] = HandedTo(variant.tag, values)
+    tasks.setdefault(assignment, {}).update(students)
     data = msgspec.json.encode(_File(SCHEMA, tasks, _seal(key, tasks)), order="sorted")
     return msgspec.json.format(data, indent=1) + b"\n"
+
+
+def handed_to(variants: Variants, variant: Variant) -> HandedTo:
+    """Return a variant as it is written down for somebody."""
+    chosen = zip(variants.varies, variant.combination, strict=True)
+    return HandedTo(variant.tag, {vary.name: vary.choices[choice] for vary, choice in chosen})
+
+
+def variant_of(variants: Variants, was: HandedTo) -> Variant | None:
+    """Return the variant that was handed out; None: the task does not have it any more."""
+    combination = _combination(variants, was.values)
+    return None if combination is None else Variant(combination, was.tag)
 
 
 def _tasks(path: Path, key: bytes) -> dict[str, Students]:
@@ -190,7 +210,8 @@ def _seal(key: bytes, tasks: Mapping[str, Students]) -> str:
     return hmac.new(key, msgspec.json.encode(tasks, order="sorted"), hashlib.sha256).hexdigest()
 
 
-def _name(platform: Platform, member: Member) -> str:
+def name_of(platform: Platform, member: Member) -> str:
+    """Return by what the record knows somebody."""
     return f"{platform.value} {member.number}"
 
 

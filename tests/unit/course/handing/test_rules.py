@@ -48,14 +48,8 @@ def test_an_assignment_that_opens_later_is_not_there_yet() -> None:
     assert code(FACTS._replace(assignment=later), 0, DUE - timedelta(seconds=1)) == "early"
 
 
-def test_variants_are_refused_by_name() -> None:
-    refusal = standing(FACTS, 0, DUE.timestamp(), varied=True).refusal
-    assert refusal is not None
-    assert "another variant for each student" in refusal.text
-
-
-def waits(account: int, at: float, digest: str) -> Attempt:
-    return Attempt(account, "pick", 1, at, account, digest, "waiting")
+def waits(account: int, at: float, digest: str, variant: str = "") -> Attempt:
+    return Attempt(account, "pick", 1, at, account, digest, "waiting", variant=variant)
 
 
 def test_nobody_is_kept_waiting_by_the_many_hand_ins_of_another() -> None:
@@ -67,6 +61,8 @@ def test_nobody_is_kept_waiting_by_the_many_hand_ins_of_another() -> None:
 
 def test_one_program_is_marked_once() -> None:
     assert len(in_order([waits(1, 0.0, "a"), waits(2, 1.0, "a")])) == 1
+    others = [waits(1, 0.0, "a", "bcdf-ghjk"), waits(2, 1.0, "a", "lmnp-qrst")]
+    assert len(in_order(others)) == 2, "but each variant is another task"
 
 
 def test_folders_are_safe_and_those_of_two_people_are_two() -> None:

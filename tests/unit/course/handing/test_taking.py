@@ -9,12 +9,14 @@ from typing import Any
 import pytest
 
 from tests.support_handing import course_folder, enrol
+from vrts.course.beside import Beside
 from vrts.course.course import Course
 from vrts.course.course_file import open_course
 from vrts.course.handing.deposit import done
 from vrts.course.handing.names import PROGRAM
 from vrts.course.handing.standing import Refusal
 from vrts.course.handing.taking import Taken, Taking
+from vrts.course.variants.own_variants import OwnVariants
 from vrts.live.settings import DATABASE
 from vrts.live.store.course.attempts import Attempt, add_attempts, all_attempts
 from vrts.live.store.database import Database
@@ -32,7 +34,7 @@ class Kept:
     """A course with its database; each `begin` is a server that has just started."""
 
     def __init__(self, folder: Path, assignment: str = "", task: str = "") -> None:
-        live = folder / "live"
+        self.folder = live = folder / "live"
         self.course: Course = open_course(course_folder(folder / "course", assignment, task))
         self.accounts = enrol(live, TEAM)
         self.database = Database(live / DATABASE)
@@ -41,7 +43,9 @@ class Kept:
         """Start, mend, and have something done."""
 
         async def all_of_it() -> Any:
-            taking = Taking(self.course, self.database)
+            beside = Beside(self.folder / "beside")  # nothing is asked: the task has no variants
+            variants = OwnVariants(self.course, self.database, self.folder, beside)
+            taking = Taking(self.course, self.database, variants)
             await taking.mend()
             return await work(taking)
 

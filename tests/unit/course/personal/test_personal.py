@@ -50,7 +50,7 @@ class Class:
         whole = self.whole(program, *names)
         done(begin(self.course / "handed-in", whole))
         place(self.course / "handed-in", whole)
-        report = self.server / "handing" / "pick" / f"{whole.digest}.html"
+        report = self.server / "handing" / "pages" / "pick" / f"{whole.digest}.html"
         report.parent.mkdir(parents=True, exist_ok=True)
         report.write_bytes(program)
         for account, _ in whole.people:

@@ -20,7 +20,7 @@ from vrts.live.store.migrations import STEPS, version_of
 from vrts.live.store.rooms import lines, open_rooms
 from vrts.live.store.verifying import findings
 
-LEFT = ("4", "5", "6", "7", "8-unsigned", "8", "9")
+LEFT = ("4", "5", "6", "7", "8-unsigned", "8", "9", "10")
 KEYS = json.loads((OLD / "log-keys.json").read_text("utf-8"))
 NOTHING_SEEN = "the file beside the key is missing, which tells how far these logs had come"
 

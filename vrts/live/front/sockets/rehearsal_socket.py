@@ -62,7 +62,7 @@ async def rehearsal_socket(
         return None if hub.rooms.get(room.id) is room and _is_in(room, account) else AWAY
 
     async def where(order: Rehearse) -> Begin:
-        place = hub.settings.place(room.kept.scene)
+        place = hub.place(room)
         if place is None:
             raise NotObeyed("scene", NO_SCENE)
         drawn = b"" if room.process is None else room.process.scene

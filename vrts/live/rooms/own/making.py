@@ -27,6 +27,7 @@ class Wanted(NamedTuple):
     title: str  # of scene or assignment
     assignment: str = ""
     team: str = ""  # empty: for the account alone
+    variant: str = ""  # tag of the variant of its task that they have; empty: as it is written
 
 
 class Making:
@@ -57,7 +58,12 @@ class Making:
         """
         async with self._one:
             found = self.there(wanted)
-            return await self._make(wanted) if found is None else found
+            if found is None:
+                return await self._make(wanted)
+            if found.own is not None and found.own.variant != wanted.variant:
+                found.own = own = found.own._replace(variant=wanted.variant)
+                await self._hub.database.do(lambda c: keep_own_room(c, own))
+            return found
 
     async def _make(self, wanted: Wanted) -> Room:
         hub, limits = self._hub, self.limits
@@ -81,7 +87,7 @@ class Making:
         turns = (settings.turn_s, settings.idle_s) if wanted.team else (0.0, 0.0)
         kept = KeptRoom(id_, name, wanted.scene, place, True, *turns)
         owner = None if wanted.team else wanted.account
-        whose = OwnRoom(id_, owner, wanted.team, wanted.assignment)
+        whose = OwnRoom(id_, owner, wanted.team, wanted.assignment, variant=wanted.variant)
 
         def work(connection: Connection) -> None:
             keep_room(connection, kept)

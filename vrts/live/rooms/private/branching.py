@@ -58,7 +58,7 @@ async def branch(hub: Hub, sessions: Sessions, member: Member, at_s: float) -> R
     name = (origin.kept.name[: max(LONGEST_NAME - len(end), 0)] + end).strip()
     place = max(room.kept.place for room in hub.rooms.values()) + 1
     kept = KeptRoom(new_id(), name, origin.kept.scene, place, *origin.kept[4:])
-    made = Branch(kept.id, account.id, origin.id, min(at_s, reached.time_s))
+    made = Branch(kept.id, account.id, origin.id, min(at_s, reached.time_s), origin.variant)
     hub.branching.add(account.id)
     try:
         await hub.journal.settled()  # what was done and not written yet would be missed

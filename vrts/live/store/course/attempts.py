@@ -41,9 +41,12 @@ class Attempt(NamedTuple):
     late: str = ""  # in words
     causes: tuple[Loss, ...] = ()
     said: str = ""  # in words: what became of it, where losses do not tell
+    variant: str = ""  # tag of the variant that it is marked by; empty: the task has none
 
 
-_COLUMNS = "account, assignment, number, at, by, digest, state, mark, total, late, causes, said"
+_COLUMNS = (
+    "account, assignment, number, at, by, digest, state, mark, total, late, said, variant, causes"
+)
 
 
 def add_attempt(
@@ -88,7 +91,7 @@ def add_attempts(
 def keep_mark(connection: sqlite3.Connection, attempt: Attempt) -> None:
     """Write what became of an attempt."""
     connection.execute(
-        "UPDATE attempt SET state=?, mark=?, total=?, late=?, said=?, causes=?"
+        "UPDATE attempt SET state=?, mark=?, total=?, late=?, said=?, variant=?, causes=?"
         " WHERE account=? AND assignment=? AND number=?",
         (
             attempt.state,
@@ -96,6 +99,7 @@ def keep_mark(connection: sqlite3.Connection, attempt: Attempt) -> None:
             attempt.total,
             attempt.late,
             attempt.said,
+            attempt.variant,
             msgspec.json.encode(attempt.causes).decode(),
             attempt.account,
             attempt.assignment,
@@ -105,10 +109,13 @@ def keep_mark(connection: sqlite3.Connection, attempt: Attempt) -> None:
 
 
 def keep_public_mark(connection: sqlite3.Connection, marked: Attempt) -> None:
-    """Write what became of a program, to all attempts with it that wait for their mark."""
+    """Write what became of a program, to all attempts with it that wait for their mark.
+
+    What is marked by another variant of the task is another program.
+    """
     connection.execute(
         "UPDATE attempt SET state=?, mark=?, total=?, said=?, causes=?"
-        " WHERE assignment=? AND digest=? AND state='waiting'",
+        " WHERE assignment=? AND digest=? AND variant=? AND state='waiting'",
         (
             marked.state,
             marked.mark,
@@ -117,6 +124,7 @@ def keep_public_mark(connection: sqlite3.Connection, marked: Attempt) -> None:
             msgspec.json.encode(marked.causes).decode(),
             marked.assignment,
             marked.digest,
+            marked.variant,
         ),
     )
 
@@ -163,6 +171,6 @@ def state_of(connection: sqlite3.Connection) -> tuple[object, ...]:
 
 @lru_cache(maxsize=REMEMBERED)
 def _attempt(row: tuple[object, ...]) -> Attempt:
-    *first, causes, said = row
+    *first, said, variant, causes = row
     found = msgspec.json.decode(str(causes), type=tuple[Loss, ...])
-    return msgspec.convert((*first, found, said), Attempt)
+    return msgspec.convert((*first, found, said, variant), Attempt)

@@ -15,6 +15,7 @@ class OwnRoom(NamedTuple):
     hand_at: float = 0.0  # when a hand was raised, Unix time [s]; 0: none is
     hand_by: int | None = None  # account
     hand_text: str = ""
+    variant: str = ""  # tag of the variant of the task that it has; empty: as it is written
 
     @property
     def whose(self) -> int | str | None:
@@ -22,15 +23,15 @@ class OwnRoom(NamedTuple):
         return self.team or self.owner
 
 
-_COLUMNS = "room, owner, team, assignment, hand_at, hand_by, hand_text"
+_COLUMNS = "room, owner, team, assignment, hand_at, hand_by, hand_text, variant"
 
 
 def keep_own_room(connection: sqlite3.Connection, own: OwnRoom) -> None:
-    """Write whose a room is, or that a hand is up in it."""
+    """Write whose a room is, that a hand is up in it, and which variant it has."""
     connection.execute(
-        f"INSERT INTO own_room ({_COLUMNS}) VALUES (?,?,?,?,?,?,?)"  # noqa: S608 -- constants
+        f"INSERT INTO own_room ({_COLUMNS}) VALUES (?,?,?,?,?,?,?,?)"  # noqa: S608 -- constants
         " ON CONFLICT (room) DO UPDATE SET hand_at=excluded.hand_at, hand_by=excluded.hand_by,"
-        " hand_text=excluded.hand_text",
+        " hand_text=excluded.hand_text, variant=excluded.variant",
         own,
     )
 

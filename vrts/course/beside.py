@@ -7,7 +7,6 @@ from typing import Final, TypeVar
 
 import msgspec
 
-from vrts.course.handing.spoken import Asked
 from vrts.live.editing import owned_process
 from vrts.live.editing.owned_process import OwnedProcess
 from vrts.live.lasting.clock import steady
@@ -42,7 +41,7 @@ class Beside:
         self._asking = asyncio.Lock()
         self._used = 0.0
 
-    async def ask(self, asked: Asked, kind: type[Answer], most_s: float) -> Answer:
+    async def ask(self, asked: msgspec.Struct, kind: type[Answer], most_s: float) -> Answer:
         """Return an answer.
 
         Args:
