@@ -3859,8 +3859,8 @@ PATCHES: tuple[Patch, ...] = (
     Patch(
         "a corrected address gives a student another variant than was handed out",
         "vrts/marking/variants/handed.py",
-        "        if was is not None and combination is not None:\n",
-        "        if was is not None and combination is not None and not member.drawn_by:\n",
+        "        if variant is not None:\n",
+        "        if variant is not None and not member.drawn_by:\n",
         ("tests/unit/marking/variants/test_handed.py",),
     ),
     Patch(
