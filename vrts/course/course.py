@@ -1,5 +1,6 @@
 """What a course is: its people as the file names them, its rooms, its assignments."""
 
+import re
 from dataclasses import dataclass, field
 from datetime import datetime
 from pathlib import Path
@@ -11,6 +12,8 @@ from vrts.live.rooms.own.limits import OwnLimits
 
 COURSE_FILE: Final = "course.toml"
 HANDED_IN: Final = "handed-in"  # in the course's folder
+HANDING: Final = "handing"  # in the server's folder: pages about programs
+EMAIL: Final = re.compile(r"[^@\s<>\"]+@[^@\s<>\"]+$")  # what an e-mail address looks like
 
 Rank = Literal["teacher", "assistant", "student"]
 

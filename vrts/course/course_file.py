@@ -1,6 +1,5 @@
 """Reads `course.toml`: every fault is told where it stands, and all of them at once."""
 
-import re
 from pathlib import Path
 from typing import Final
 
@@ -8,7 +7,7 @@ from vrts.base.diagnostic import Diagnostic, Rule
 from vrts.base.safe_names import safe
 from vrts.base.source import SourceFile
 from vrts.base.toml.reading import Problems, Table, read_toml
-from vrts.course.course import COURSE_FILE, Assignment, Course, Rank, Staff, Team
+from vrts.course.course import COURSE_FILE, EMAIL, Assignment, Course, Rank, Staff, Team
 from vrts.course.login_section import read_login
 from vrts.course.robots.limits_table import read_limits
 from vrts.course.slot_rules import read_slots
@@ -19,8 +18,6 @@ from vrts.pipeline.refused import Refused
 COURSE: Final = Rule("V921", "course-file")
 MOST_ROOMS: Final = 64
 MOST_ATTEMPTS: Final = 1000
-
-_ADDRESS = re.compile(r"[^@\s<>\"]+@[^@\s<>\"]+$")
 
 
 def is_course(folder: Path) -> bool:
@@ -108,7 +105,7 @@ def _staff(
         email = (table.string("email", required=True) or "").casefold()
         rooms = tuple(table.strings("rooms") or ()) if rank == "assistant" else ()
         table.finish()
-        if email and not _ADDRESS.match(email):
+        if email and not EMAIL.match(email):
             _error(problems, table, "email", f"`{email}` is no e-mail address")
         for room in rooms:
             if room not in shared:

@@ -14,7 +14,7 @@ from starlette.routing import BaseRoute, Route
 
 from vrts.check.task.late_rules import Keep
 from vrts.course.beside import Beside
-from vrts.course.course import Assignment, Course
+from vrts.course.course import HANDING, Assignment, Course
 from vrts.course.facts import Facts, facts_of, unix
 from vrts.course.front.own_page import OwnPage
 from vrts.course.front.told import (
@@ -48,7 +48,6 @@ from vrts.live.store.database import Connection
 from vrts.pipeline.files import CannotRead
 from vrts.report.quantities import points
 
-HANDING: Final = "handing"  # in the server's folder: pages about programs
 LONGEST_BODY: Final = 1_300_000  # bytes: 200,000 characters, escaped
 HAND_INS: Final = (1 / 20, 5.0)  # of an account, a second and at once
 AT_ONCE: Final = 20  # bodies that are read at the same time, of all

@@ -1,7 +1,6 @@
 """The people of a course over HTTP: first entries by a personal link, and the list for teachers."""
 
 import asyncio
-import re
 from collections.abc import Sequence
 from typing import Final
 
@@ -9,6 +8,7 @@ from starlette.requests import Request
 from starlette.responses import Response
 from starlette.routing import BaseRoute, Route
 
+from vrts.course.course import EMAIL
 from vrts.course.front.own_page import OwnPage
 from vrts.course.front.told_people import (
     AddStaff,
@@ -51,8 +51,6 @@ NOT_ALLOWED: Final = (403, "role", "only a teacher may do this")
 NOBODY: Final = (404, "person", "there is no such person")
 SET: Final = "you have a new password: log in with it"
 ENDED: Final = "a teacher has taken you off the list"
-
-_ADDRESS = re.compile(r"[^@\s<>\"]+@[^@\s<>\"]+$")
 
 
 class PeoplePages:
@@ -159,7 +157,7 @@ class PeoplePages:
         if isinstance(body, Response):
             return body
         email, rooms, now = body.email.strip().casefold(), self._people.rooms(), wall()
-        if not _ADDRESS.match(email):
+        if not EMAIL.match(email):
             return refused(422, "email", f"`{email}` is no e-mail address")
         if not person_name(body.name):
             return refused(422, "name", "a name needs a letter or a digit")

@@ -5,8 +5,8 @@ from collections.abc import Sequence
 from starlette.routing import BaseRoute
 
 from vrts.course.beside import Beside
-from vrts.course.course import Course
-from vrts.course.front.assignment_pages import HANDING, AssignmentPages
+from vrts.course.course import HANDING, Course
+from vrts.course.front.assignment_pages import AssignmentPages
 from vrts.course.front.board_pages import BoardPages
 from vrts.course.front.course_pages import CoursePages
 from vrts.course.front.login_pages import LoginPages

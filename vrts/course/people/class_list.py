@@ -1,10 +1,10 @@
 """Reads the list of a class: Moodle's grading worksheet, Canvas' grade book, or a plain table."""
 
-import re
 from pathlib import Path
 from typing import Final
 
 from vrts.base.diagnostic import Diagnostic, Label, error
+from vrts.course.course import EMAIL
 from vrts.course.people.listed import CLASS_LIST, Listed
 from vrts.marking.intake.row import Student
 from vrts.marking.intake.tables.roster import CANVAS_HEADER, read_roster
@@ -18,7 +18,6 @@ IDS: Final = ("id",)
 TEAMS: Final = ("team", "group")
 COLUMNS: Final = (*NAMES, *EMAILS, *IDS, *TEAMS)
 
-_ADDRESS = re.compile(r"[^@\s<>\"]+@[^@\s<>\"]+$")
 _HELP: Final = (
     "columns of a plain table: name, email, and if you like id and team",
     "or export Moodle's grading worksheet, or the grade book of Canvas",
@@ -64,7 +63,7 @@ def read_class_list(data: bytes, name: str) -> tuple[tuple[Listed, ...], tuple[D
 
 def _of(platform: str, number: str, student: Student) -> Listed:
     """Return a student of a platform."""
-    email = student.email or (student.login if _ADDRESS.match(student.login) else "")
+    email = student.email or (student.login if EMAIL.match(student.login) else "")
     last, comma, first = student.name.partition(",")
     name = f"{first.strip()} {last.strip()}" if comma and platform == "canvas" else student.name
     return Listed(f"{platform} {number}", name, email.casefold(), dict(student.ids))
@@ -84,7 +83,7 @@ def _plain(
         name, email, number, team = (_cell(line, column) for column in columns)
         if not name:
             faults.append(error(CLASS_LIST, "this line has no name", label))
-        elif email and not _ADDRESS.match(email):
+        elif email and not EMAIL.match(email):
             faults.append(error(CLASS_LIST, f"`{email}` is no e-mail address", label))
         elif not email and not number:
             faults.append(error(CLASS_LIST, f"`{name}` has neither e-mail address nor id", label))

@@ -2,11 +2,11 @@
 
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Final, NamedTuple
+from typing import NamedTuple
 
 import msgspec
 
-from vrts.course.course import HANDED_IN
+from vrts.course.course import HANDED_IN, HANDING
 from vrts.course.handing.deposit import PENDING, HandIn
 from vrts.course.handing.names import folder_of, page_of
 from vrts.course.handing.published import PUBLISHED
@@ -14,8 +14,6 @@ from vrts.live.personal.names import Names, accounts_of
 from vrts.live.store.course.attempts import Attempt, all_attempts, attempts_of
 from vrts.live.store.course.people import person_of
 from vrts.live.store.database import Connection
-
-REPORTS: Final = "handing"  # in the server's folder, as `front/assignment_pages` has it
 
 
 class Whose(NamedTuple):
@@ -62,7 +60,7 @@ def files_of(course: Path, server: Path, who: Whose) -> Iterator[Kept]:
         if _is_of(path, who):
             yield Kept(path, f"{HANDED_IN}/waiting/{path.name}")
     for assignment, page in sorted(who.programs):
-        for path in sorted((server / REPORTS).glob(f"*/*/{page}")):
+        for path in sorted((server / HANDING).glob(f"*/*/{page}")):
             if path.is_file() and path.parent.name == assignment:
                 yield Kept(path, f"reports/{assignment}/{path.name}")
 
