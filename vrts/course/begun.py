@@ -51,6 +51,8 @@ rooms = ["Lab"]
 task = "{task}"
 # opens = 2026-10-01T08:00:00+02:00
 # attempts = 3
+# Where `vrts course mark` writes: later deadlines that you give at the desk count in the page, too.
+# marked = "marked/cans"
 
 # Robots of their own: how many, and when they fall asleep. What is left out is as usual.
 # [robots]

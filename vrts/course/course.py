@@ -43,6 +43,7 @@ class Assignment:
     opens: datetime | None = None  # students see it from then on; None: always
     attempts: int | None = None  # how often one may hand in; None: as often as one likes
     team: bool = False  # teams hand in together
+    marked: Path | None = None  # folder of its marking: later deadlines and excuses stand there
 
 
 @dataclass(frozen=True, slots=True)

@@ -137,6 +137,7 @@ def _assignments(top: Table, problems: Problems, folder: Path) -> tuple[Assignme
         opens = table.time("opens")
         attempts = table.integer("attempts", minimum=1, maximum=MOST_ATTEMPTS)
         team = table.boolean("team", default=False)
+        marked = table.string("marked")
         table.finish()
         path = None if task is None else _inside(problems, table, "task", folder, task)
         if path is None:
@@ -150,7 +151,8 @@ def _assignments(top: Table, problems: Problems, folder: Path) -> tuple[Assignme
             _error(problems, table, "id", f"`{id_}` cannot name a folder and an address")
         if id_ in {one.id for one in found}:
             _error(problems, table, "id", f"there are two assignments `{id_}`")
-        found.append(Assignment(id_, path, opens, attempts, team))
+        out = None if marked is None else _inside(problems, table, "marked", folder, marked)
+        found.append(Assignment(id_, path, opens, attempts, team, out))
     return tuple(found)
 
 

@@ -289,16 +289,18 @@ class AssignmentPages:
     ) -> WorkTold:
         assignment: Assignment = facts.assignment
         used = max((one.number for one in attempts), default=0)
-        stands = self._taking.standing(facts, used, at)
+        folder = "" if person is None else folder_of(person.key, person.email)
+        granted = self._taking.granted(assignment, folder)
+        stands = self._taking.standing(facts, used, at, folder)
         why, final = stands.refusal, None
+        later = granted.due is not None and facts.due is not None and granted.due > facts.due
         if person is not None:
-            folder = folder_of(person.key, person.email)
             final = final_of(self._taking.course, assignment.id, folder)
         return WorkTold(
             assignment.id,
             facts.title,
             unix(facts.opens),
-            unix(facts.due),
+            unix(granted.due if later else facts.due),
             unix(stands.closes),
             facts.keep is Keep.BEST,
             facts.rules is not None and facts.rules.is_exam,
@@ -310,6 +312,8 @@ class AssignmentPages:
             "" if why is None else why.help,
             tuple(self._told(one, places, names) for one in reversed(attempts)),
             final,
+            later,
+            granted.excused,
         )
 
     def _told(self, one: Attempt, places: dict[Job, int], names: dict[int, str]) -> AttemptTold:

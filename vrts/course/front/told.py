@@ -61,7 +61,7 @@ class WorkTold(msgspec.Struct, frozen=True, omit_defaults=True):
     id: str
     title: str
     opens: float
-    due: float
+    due: float  # one's own, where it is a later one
     closes: float  # Unix time [s]; 0: never
     best: bool  # whether the best attempt counts, and not the latest
     exam: bool
@@ -73,6 +73,8 @@ class WorkTold(msgspec.Struct, frozen=True, omit_defaults=True):
     refusal_help: str
     attempts: tuple[AttemptTold, ...] = ()
     final: Returning | None = None  # what the teacher has published
+    own_due: bool = False  # whether the deadline is a later one, given to who asks
+    excused: bool = False  # whether a grader has excused who asks
 
 
 class AllWorkTold(msgspec.Struct, frozen=True):

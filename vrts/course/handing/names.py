@@ -7,6 +7,7 @@ from typing import Final
 
 from vrts.base.safe_names import safe
 from vrts.course.facts import Facts
+from vrts.marking.row import Row
 
 PROGRAM: Final = "program.v2"
 LONGEST: Final = 100  # characters of a person's folder
@@ -23,6 +24,15 @@ def folder_of(key: str, email: str) -> str:
     if _PLAIN.fullmatch(called) and len(called) <= LONGEST and not called.endswith("."):
         return called
     return f"{safe(called)[:60]}-{hashlib.sha256(called.encode()).hexdigest()[:8]}"
+
+
+def folder_in(row: Row) -> str:
+    """Return the folder of whose a row of a marking is: of the hand-in, else as it is made."""
+    first = row.handed_in.file.split("/")[0] if "/" in row.handed_in.file else ""
+    student = row.student
+    number = next(iter(student.ids.values()), "")
+    named = folder_of(f"id {number}" if number else row.id, student.email)
+    return first if first and first not in (".", "..") and "\\" not in first else named
 
 
 def page_of(digest: str, variant: str) -> str:

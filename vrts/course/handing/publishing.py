@@ -9,7 +9,7 @@ import msgspec
 
 from vrts.base.diagnostic import Diagnostic
 from vrts.course.course import Course
-from vrts.course.handing.names import folder_of
+from vrts.course.handing.names import folder_in
 from vrts.course.handing.published import CURRENT, FINAL, PUBLISHED, REPORT, Returning, Said
 from vrts.marking.appeals.written import read_class, read_written
 from vrts.marking.exports.feedback import for_student, words_for
@@ -59,7 +59,7 @@ def publish(course: Course, assignment: str, out: Path, despite: frozenset[str])
     for told in returned(given):
         report = layout.student(told.row.id) / REPORT
         page = report.read_bytes() if report.is_file() and not report.is_symlink() else None
-        own = home / name / _whose(told)
+        own = home / name / folder_in(told.row)
         own.mkdir(mode=0o700, exist_ok=True)
         if page is not None:
             (own / REPORT).write_bytes(page)
@@ -85,16 +85,6 @@ def _forget_others(home: Path, name: str) -> None:
         for folder in home.iterdir():
             if folder.is_dir() and folder.name != name:
                 shutil.rmtree(folder, ignore_errors=True)
-
-
-def _whose(told: Returned) -> str:
-    """Return the name of a student's folder: that of the hand-in, else as names are made."""
-    row = told.row
-    first = row.handed_in.file.split("/")[0] if "/" in row.handed_in.file else ""
-    student = row.student
-    number = next(iter(student.ids.values()), "")
-    named = folder_of(f"id {number}" if number else row.id, student.email)
-    return first if first and first not in (".", "..") and "\\" not in first else named
 
 
 def _final(told: Returned, *, page: bool) -> Returning:

@@ -47,6 +47,8 @@ def standing(facts: Facts, used: int, at: float, *, due: datetime | None = None)
     rules = facts.rules
     counted = (facts.assignment.attempts, None if rules is None else rules.attempts)
     attempts = min((number for number in counted if number is not None), default=None)
+    if due is not None and rules is not None:
+        due = max(due, rules.due)  # an earlier one costs nobody anything
     late = lateness(rules, datetime.fromtimestamp(at, UTC), due=due)
     closes = None
     if rules is not None:

@@ -3,13 +3,13 @@
 import asyncio
 import hashlib
 import logging
-from datetime import datetime
 from typing import Final, NamedTuple
 
 from vrts.course.course import Assignment, Course
 from vrts.course.facts import Facts, facts_of
 from vrts.course.handing import deposit
 from vrts.course.handing.deposit import HandIn
+from vrts.course.handing.granted import Grant, Granted
 from vrts.course.handing.names import folder_of, stamp_of, time_of, zone_of
 from vrts.course.handing.standing import Refusal, Standing, standing
 from vrts.course.variants.own_variants import OwnVariants, members_of
@@ -51,6 +51,7 @@ class Taking:
         """Take a course, and who knows its variants; `mend` comes first."""
         self.course = course  # as its file is now
         self.variants = variants
+        self._granted = Granted()
         self._database = database
         self._writing = asyncio.Lock()
 
@@ -58,9 +59,20 @@ class Taking:
         """Return an assignment by its id."""
         return next((one for one in self.course.assignments if one.id == id_), None)
 
-    def standing(self, facts: Facts, used: int, at: float, due: datetime | None = None) -> Standing:
-        """Return how an assignment stands; `used`: attempts made, `at`: Unix time [s]."""
-        return standing(facts, used, at, due=due)
+    def granted(self, assignment: Assignment, folder: str) -> Grant:
+        """Return what was granted to somebody at the desk, by the name of their folder."""
+        return self._granted.to(assignment, folder)
+
+    def standing(self, facts: Facts, used: int, at: float, folder: str = "") -> Standing:
+        """Return how an assignment stands for somebody.
+
+        Args:
+            facts: Of it.
+            used: Attempts made.
+            at: Unix time [s].
+            folder: Name of the folder of their hand-ins; empty: nobody's in particular.
+        """
+        return standing(facts, used, at, due=self.granted(facts.assignment, folder).due)
 
     async def take(
         self, account: int, assignment: Assignment, program: bytes, at: float, seen: tuple[int, str]
@@ -93,7 +105,8 @@ class Taking:
             if last is not None and last.digest == digest:
                 return Taken(last.number, int(last.at), last.late, again=True)
             used = max((one.number for one in before), default=0)
-            stands = await asyncio.to_thread(self.standing, facts, used, float(now))
+            folder = folder_of(members[0].key, members[0].email)
+            stands = await asyncio.to_thread(self.standing, facts, used, float(now), folder)
             if stands.refusal is not None:
                 return stands.refusal
             if seen != (used + 1, stands.late):
@@ -173,21 +186,21 @@ class Taking:
         new = {known[who] for who, at in there if who in known and (known[who], at) not in rows}
         own = {account: await self.variants.of(facts.assignment, account) for account in new}
         stands = await asyncio.to_thread(
-            lambda: {at: self.standing(facts, 0, at).late for _, at in there}
+            lambda: {one: self.standing(facts, 0, one[1], one[0]).late for one in there}
         )
 
         def fit(connection: Connection) -> None:
             files = {
-                (known[folder], at): digest
+                (known[folder], at): (digest, stands[folder, at])
                 for (folder, at), digest in there.items()
                 if folder in known
             }
             rows = {(one.account, one.at): one for one in all_attempts(connection, id_)}
-            for (account, at), digest in sorted(files.items(), key=lambda one: one[0][1]):
+            for (account, at), (digest, late) in sorted(files.items(), key=lambda one: one[0][1]):
                 if (account, at) not in rows:
                     row = Attempt(account, id_, 0, at, account, digest, "waiting")
                     tag = own[account].tag if account in own else ""
-                    add_attempts(connection, [row._replace(late=stands[at], variant=tag)], id_)
+                    add_attempts(connection, [row._replace(late=late, variant=tag)], id_)
             for (account, at), row in rows.items():
                 if row.state == "waiting" and (account, at) not in files:
                     keep_mark(connection, row._replace(state="failed", said=GONE))

@@ -84,7 +84,9 @@ function now() {
 function one(work) {
   const facts = make("dl", { class: "facts" });
   const add = (/** @type {string} */ name, /** @type {string} */ value, kind = "") => facts.append(make("dt", { text: name }), make("dd", { text: value, class: kind }));
-  if (work.due) add(work.exam ? "Closes" : "Due", `${when(work.due)} (${until(work)})`);
+  const own = work.own_due ? "; your own, later deadline" : "";
+  if (work.due) add(work.exam ? "Closes" : "Due", `${when(work.due)} (${until(work)}${own})`);
+  if (work.excused) add("Excused", "you need not hand this in");
   if (work.closes && !work.exam) add("Closes", `${when(work.closes)}: nothing is taken after that`);
   if (work.late) add("Late", `handing in now is ${work.late}`, "late");
   add("Attempts", work.most === null ? "as many as you like" : `${work.left} of ${work.most} left`);

@@ -9,7 +9,7 @@ import { asked } from "../editor/asking.js";
  *   before?: number, page?: boolean, losses?: Loss[]}} Attempt
  */
 /**
- * @typedef {{id: string, title: string, opens: number, due: number, closes: number, best: boolean, exam: boolean, team: boolean, late: string,
+ * @typedef {{id: string, title: string, opens: number, due: number, closes: number, best: boolean, exam: boolean, team: boolean, late: string, own_due?: boolean, excused?: boolean,
  *   most: number | null, left: number | null, refusal: string, refusal_help: string, attempts?: Attempt[], final?: Final}} Work
  */
 /** @typedef {{who?: string, text: string, line?: number, time_s?: number, points?: string}} Comment */
