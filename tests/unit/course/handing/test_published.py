@@ -1,5 +1,6 @@
 """From hand-ins to what students read: marked with the list of the class, commented, published."""
 
+from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 
@@ -8,11 +9,14 @@ import pytest
 from tests.support_commands import vrts_text
 from tests.support_handing import course_folder, example
 from vrts.course.course_file import open_course
+from vrts.course.facts import facts_of
 from vrts.course.handing import deposit
 from vrts.course.handing.deposit import HandIn
+from vrts.course.handing.granted import Grant, Granted
 from vrts.course.handing.published import final_of, report_of
+from vrts.course.handing.standing import standing
 from vrts.marking.by_hand.decisions.files import add_decisions
-from vrts.marking.by_hand.decisions.records import ChangeMark, Comment
+from vrts.marking.by_hand.decisions.records import ChangeMark, Comment, Excuse, Extend
 from vrts.marking.layout import Layout
 from vrts.marking.row import class_from_bytes
 
@@ -94,3 +98,30 @@ def test_unsafe_marks_are_not_published_unless_somebody_says_so(
     found = final_of(open_course(folder), "cans", CY)
     assert found is not None
     assert any("may still change" in one for one in found.remarks)
+
+
+def test_the_page_knows_later_deadlines_and_excuses_of_the_desk(
+    marked: tuple[Path, Path],
+) -> None:
+    folder, out = marked
+    (assignment,) = open_course(folder).assignments
+    assignment, granted = replace(assignment, marked=out), Granted()
+    assert granted.to(assignment, CY) == granted.to(assignment, DI) == Grant()
+    ids = {
+        one.student.email: one.id for one in class_from_bytes(Layout(out).results.read_bytes()).rows
+    }
+    later = Extend(0, "", (ids[CY],), "2026-11-30T13:00:00+01:00", "ill")
+    excuse = Excuse(0, "", (ids[DI],), "ill, with a certificate")
+    add_decisions(
+        Layout(out).decisions, "L. Ek", (later, excuse), datetime(2026, 12, 2, tzinfo=UTC)
+    )
+    cy, di = granted.to(assignment, CY), granted.to(assignment, DI)
+    assert (cy.due, cy.excused) == (datetime(2026, 11, 30, 12, tzinfo=UTC), False)
+    assert (di.due, di.excused) == (None, True), "and nobody has what is another's"
+    facts = facts_of(assignment)
+    at = datetime(2026, 11, 30, 11, tzinfo=UTC).timestamp()
+    assert standing(facts, 0, at, due=cy.due).late == ""
+    assert standing(facts, 0, at, due=di.due).late != ""
+    earlier = datetime(2026, 11, 1, tzinfo=UTC)
+    on_time = datetime(2026, 11, 20, tzinfo=UTC).timestamp()
+    assert standing(facts, 0, on_time, due=earlier).late == "", "an earlier one costs nothing"
