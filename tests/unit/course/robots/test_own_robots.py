@@ -3,7 +3,8 @@
 from pathlib import Path
 
 from tests.support_course import came_in, course_folder
-from tests.support_live import Browser, Json, LiveServer, session_processes
+from tests.support_live import LiveServer
+from vrts.live.settings import SESSIONS
 
 MORE = '[robots]\nawake = 5\n[slots]\ntime_zone = "UTC"\nhours = "00:00-24:00"\n'
 
@@ -15,12 +16,11 @@ def opened_robot(server: LiveServer, cookie: str, scene: str = "cans-on-bases") 
     return answer.json["room"]
 
 
-def woken(browser: Browser) -> Json:
-    """Wait until the session of the room that was entered runs; return its state."""
-    state = browser.wait("snapshot")["state"]
-    while state is None:
-        state = browser.wait("state")["state"]
-    return state
+def sleeps(server: LiveServer, cookie: str, room: str) -> bool:
+    """Whether somebody's own robot is asleep; the class's rooms are awake, or begin to be."""
+    robots = server.request("GET", "/course/robots", cookie=cookie).json["robots"]
+    (asleep,) = (one["asleep"] for one in robots if one["room"] == room)
+    return asleep
 
 
 def test_a_student_has_a_robot_that_nobody_else_enters_and_that_outlasts_the_server(
@@ -31,7 +31,8 @@ def test_a_student_has_a_robot_that_nobody_else_enters_and_that_outlasts_the_ser
     anna_cookie, bo_cookie = came_in(server, "Cy Dahl"), came_in(server, "Di Ek")
     room = opened_robot(server, anna_cookie)
     assert opened_robot(server, anna_cookie) == room, "it is made once"
-    assert len(session_processes(server.process.pid)) <= 1, "it sleeps until it is entered"
+    assert sleeps(server, anna_cookie, room), "until it is entered"
+    assert not [*(server.folder / SESSIONS).glob(f"{room}-*")], "so it never had a session"
     bo = server.join(bo_cookie, room=room)
     closed = bo.closed()
     assert closed is not None
@@ -70,9 +71,9 @@ def test_a_student_has_a_robot_that_nobody_else_enters_and_that_outlasts_the_ser
     server.kill()
     server.start("0")
     with server:
-        assert len(session_processes(server.process.pid)) <= 1, "all sleep"
         cookie = anna_cookie.replace(anna_cookie.partition("=")[0], f"vrts_{server.port}")
         assert opened_robot(server, cookie) == room
+        assert sleeps(server, cookie, room), "a new server wakes nobody's"
         anna = server.join(cookie, room=room)
         lease = anna.wait("control", lambda m: m["lease"] != "")["lease"]
         assert anna.wait("hands")["hands"][0]["text"] == "it does not close"
