@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from contextlib import closing
 from http.client import HTTPConnection
 from pathlib import Path
+from time import monotonic
 
 import pytest
 
@@ -78,9 +79,10 @@ def test_a_new_attempt_is_told_to_who_looks(server: Served) -> None:
             number = add_attempt(connection, account, "pick-1", NOON + 9e6, account, "d")
             attempt = Attempt(account, "pick-1", number, 0.0, None, "d", "marked", "7", "10")
             keep_mark(connection, attempt)
-        told = b""
+        told, end = b"", monotonic() + PATIENCE  # signs of life would let it wait for ever
         while b'"students"' not in told or b'"last":7.0' not in told:
             told = events.readline()
             assert told, "the server has ended the connection"
+            assert monotonic() < end, "nothing is told of the attempt"
     work = server.request("GET", f"/course/board/student/{account}", cookie=cookie).json
     assert work["attempts"][-1]["mark"] == 7.0
