@@ -19,6 +19,7 @@ from vrts.debug.conditions.columns import (
     regimes,
     told,
 )
+from vrts.debug.conditions.hearing import Hear
 from vrts.engine.memory.cells import Array, Bound, Cell
 from vrts.ir.ranges import HIGHEST_SUBSCRIPT
 
@@ -37,10 +38,11 @@ class Moments(NamedTuple):
 
     times: Reals  # [s]
     finished: Wholes  # statements of both programs
+    process: Bools  # whether the process control program asks
 
     def some(self, lanes: Lanes) -> "Moments":
         """Return some of them."""
-        return Moments(self.times[lanes], self.finished[lanes])
+        return Moments(self.times[lanes], self.finished[lanes], self.process[lanes])
 
 
 class Histories:
@@ -81,9 +83,13 @@ class Block:
     alone afterwards: so it fails in the same way as if it had been asked alone at once.
     """
 
-    def __init__(self, moments: Moments, sources: Sequence[Source], histories: Histories) -> None:
-        """Take instants, and what the names stand for then."""
-        self.times, self.finished = moments
+    def __init__(
+        self, moments: Moments, sources: Sequence[Source], histories: Histories, hear: Hear
+    ) -> None:
+        """Take instants, what the names stand for then, and who is heard meanwhile."""
+        self.times, self.finished, self.process = moments
+        self.hear = hear
+        self.chance: Wholes | None = None  # after the numbers that an expression has drawn so far
         self.count = len(self.times)
         self.unsure: Bools = np.zeros(self.count, bool)
         self.sources = sources
@@ -97,7 +103,8 @@ class Block:
             [source[k] for k in which] if isinstance(source, list) else source
             for source in self.sources
         ]
-        return Block(Moments(self.times, self.finished).some(lanes), sources, self.histories)
+        moments = Moments(self.times, self.finished, self.process).some(lanes)
+        return Block(moments, sources, self.histories, self.hear)
 
     @property
     def distinct(self) -> tuple[Reals, Wholes]:
@@ -117,6 +124,7 @@ class Block:
 
     def reals(self, k: int) -> Reals:
         """Return the reals that a name stood for."""
+        self.hear()
         source = self.sources[k]
         if isinstance(source, list):
             after: list[int] = self.finished.tolist()
@@ -137,6 +145,7 @@ class Block:
 
     def pose(self, k: int) -> Pose:
         """Return the poses that a name stood for."""
+        self.hear()
         source = self.sources[k]
         if not isinstance(source, Cell):
             self.mark(np.ones(self.count, bool))
@@ -148,6 +157,7 @@ class Block:
 
     def elements(self, k: int, subscripts: Sequence[Reals]) -> Reals:
         """Return the reals that elements of an array held."""
+        self.hear()
         source = self.sources[k]
         found = np.full(self.count, np.nan)
         if isinstance(source, Array):

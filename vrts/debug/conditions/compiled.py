@@ -5,8 +5,9 @@ from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from typing import NamedTuple, cast
 
+from vrts.debug.conditions.elements import Elements
 from vrts.debug.conditions.functions import Functions
-from vrts.debug.conditions.past import Elements, Past
+from vrts.debug.conditions.past import Past
 from vrts.debug.conditions.vectors import Columns, NotAtOnce
 from vrts.engine.code.closures import Evaluate
 from vrts.engine.code.layout import Layout
@@ -42,7 +43,7 @@ _RECORDED = frozenset(PURE) | {
     Function.BASE,
     Function.TOOL,
 }
-# what no history tells: the machine itself is looked at
+# what was noted of the machine itself
 _OF_THE_MACHINE = frozenset(
     {
         *(Function.RANDOM, Function.DEST, Function.DEST_JOINTS, Function.INRANGE, Function.SPEED),
@@ -59,9 +60,7 @@ class Compiled(NamedTuple):
     evaluate: Evaluate | None = None  # None: the controller itself has to be asked
     at_once: Columns | None = None  # the same at many instants; None: it cannot be
     wanted: Type = Type.REAL
-    of_histories: bool = False  # the closure works on what they say
     at_ticks: bool = False  # what it asks for changes between two ticks
-    of_machine: bool = False  # no history tells it
     swaps: bool = False  # it changes its variables
     memory: Memory = Memory([])
     cells: Sequence[tuple[int, Cell]] = ()  # scalars, beside their places in the names
@@ -102,7 +101,8 @@ def made(
     (program,) = module.programs.values()
     step, *others = program.instructions
     asked = set(_functions(step))
-    known = asked <= _RECORDED | _OF_THE_MACHINE
+    told = not asked & (_OF_THE_MACHINE | {Function.TIMER}) or past.facts is not None
+    known = told and asked <= _RECORDED | _OF_THE_MACHINE
     if len(others) != 1 or not isinstance(step, Assign) or not known:
         return Compiled()
     layout = Layout()
@@ -130,20 +130,15 @@ def made(
         if source is not None:
             same[id(source)] = item
         bound.append(item)
-    of_machine = bool(asked & _OF_THE_MACHINE)
-    of_machine = of_machine or (Function.TIMER in asked and past.timers is None)
     at_once: Columns | None = None
-    if not of_machine:
-        with suppress(NotAtOnce):  # then it is asked at each instant alone
-            at_once = functions.real(step.value, _places(names))
+    with suppress(NotAtOnce):  # then it is asked at each instant alone
+        at_once = functions.real(step.value, _places(names))
     return Compiled(
         "",
         evaluate,
         at_once,
         step.place.variable.type,
-        not of_machine,
         bool(asked & _MOVES),
-        of_machine,
         bool(asked & SWAPS),
         Memory(bound),
         cells,

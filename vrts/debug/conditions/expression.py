@@ -1,8 +1,8 @@
 """One expression at many instants: compiled once, and worked out from histories where they tell.
 
-The engine's own closures give the values: of recorded variables, signals, arm and hand, at many
-instants at once where columns do. What no history tells is looked up in the machine, on a walk
-through the run; what not even that tells is asked of the controller, on a fork.
+The engine's own closures give the values: of recorded variables, signals, arm, hand, and all that
+was noted of the machine, at many instants at once where columns do. What no history tells is asked
+of the controller, on a fork.
 """
 
 import re
@@ -16,16 +16,15 @@ from vrts.debug.conditions.block import Block, Histories, Moments
 from vrts.debug.conditions.columns import Bools, Reals
 from vrts.debug.conditions.compiled import Compiled, made, unreadable
 from vrts.debug.conditions.functions import Functions
-from vrts.debug.conditions.hearing import Hear
+from vrts.debug.conditions.hearing import Hear, nobody
 from vrts.debug.conditions.names import Kind, Names, content_of, kind_of
-from vrts.debug.conditions.past import Past, Tracks
-from vrts.debug.conditions.walk import Present, Walk, as_context
+from vrts.debug.conditions.past import Past
+from vrts.debug.conditions.tracks import Tracks
 from vrts.debug.evaluating import CannotTell, evaluate, read
 from vrts.debug.frames import seen_by
 from vrts.debug.passages import Instant
 from vrts.engine.code.values.arithmetic import checked_string
 from vrts.engine.faults import RuntimeFault
-from vrts.engine.machine.machine import Machine
 from vrts.engine.memory.cells import UNDEFINED, Array, Bound, Cell, Content
 from vrts.engine.memory.trace import Activation
 from vrts.engine.programs.context import Context
@@ -37,7 +36,7 @@ from vrts.lang.names import key
 _WORD = re.compile(r"[$#]?[A-Za-z][\w.]*", re.ASCII)
 _WHOLE = re.compile(r"(?P<name>[$#]?[a-z][\w.]*)(\[(?P<inside>\d{1,5}(,\d{1,5})*)\])?", re.ASCII)
 NEAR = 1e-6  # of a tick: nearer to it an instant is on it
-_KEPT = 200_000  # answers of machines that are remembered, of one expression
+_KEPT = 200_000  # answers of the controller that are remembered, of one expression
 
 
 class Asked:
@@ -61,9 +60,8 @@ class Expression:
     def __init__(self, shared: "Expressions", text: str) -> None:
         """Compile nothing before it is asked for."""
         self._run, self._dialect, self._text = shared.run, shared.dialect, text.strip()
-        self._past = Past(shared.run, shared.tracks)
+        self._shared, self._past = shared, Past(shared.run, lambda: shared.tracks)
         self._histories, self._functions = shared.histories, Functions(self._past)
-        self._walk = Walk(shared.run)
         words = tuple(dict.fromkeys(key(word) for word in _WORD.findall(self._text)))
         self._names = Names(shared.run, shared.histories, words)
         self._whole = _WHOLE.fullmatch(self._text.replace(" ", "").lower())
@@ -86,6 +84,7 @@ class Expression:
             CannotTell: It cannot be read, or has no value then.
             Interrupted: `hear` has heard somebody.
         """
+        self._shared.hear = hear
         sources = self._names.at(activation)
         whole = self._at_once(sources, at.finished)
         if whole is not UNDEFINED:
@@ -96,11 +95,12 @@ class Expression:
         known = self._compiled.get(kinds)
         if known is None:
             known = self._known(kinds, Asked(at, activation, process=process), sources)
-        if not known.of_histories or (known.at_ticks and not self._on_tick(at.time_s)):
-            return self._not_told(known, Asked(at, activation, process=process), hear)
-        past = self._past
-        past.now, past.finished, past.memory = at.time_s, finished, known.memory
-        value = self._worked_out(known, sources, found, cast("Context", past))
+        if known.problem:
+            raise CannotTell(known.problem)
+        if known.evaluate is None or (known.at_ticks and not self._on_tick(at.time_s)):
+            return self._forked(Asked(at, activation, process=process), hear)
+        self._past.stand(at.time_s, finished, known.memory, process=process)
+        value = self._worked_out(known, sources, found, cast("Context", self._past))
         if value is None:
             return self._forked(Asked(at, activation, process=process), hear)
         return value
@@ -123,11 +123,13 @@ class Expression:
         Raises:
             Interrupted: `hear` has heard somebody.
         """
+        self._shared.hear = hear
         count = len(instants)
         reals, sure = np.zeros(count), np.zeros(count, bool)
         moments = Moments(
             np.array([at.time_s for at in instants], np.float64),
             np.array([at.finished for at in instants], np.int64),
+            np.array(processes, bool),
         )
         asked = [
             Asked(at, activation, process=process)
@@ -139,15 +141,11 @@ class Expression:
         for places in programs.values():
             here = np.array(places, np.intp)
             sources = self._names.at_all([activations[k] for k in places])
-            block = Block(moments.some(here), sources, self._histories)
+            block = Block(moments.some(here), sources, self._histories, hear)
             for kinds, lanes in self._names.by_kinds(block):
                 first = asked[places[int(lanes[0])]]
                 known = self._known(kinds, first, self._names.at(first.activation))
-                if known.of_machine:
-                    which: list[int] = here[lanes].tolist()
-                    every = [asked[k] for k in which]
-                    reals[here[lanes]], sure[here[lanes]] = self._reals_of_machine(every, hear)
-                elif known.at_once is not None:
+                if known.at_once is not None:
                     part = block.some(lanes)
                     if known.at_ticks:
                         ticks = part.times / self._run.history.tick_s
@@ -229,48 +227,6 @@ class Expression:
 
     # --- what no history tells ----------------------------------------------------------------
 
-    def _not_told(self, known: Compiled, asked: Asked, hear: Hear) -> Value:
-        """Return what the machine tells, or else the controller."""
-        if known.problem:
-            raise CannotTell(known.problem)
-        if known.of_machine and asked.place not in self._seen:
-            self._look([asked], hear)
-        return self._forked(asked, hear)
-
-    def _look(self, asked: Sequence[Asked], hear: Hear) -> None:
-        """Let a walk through the run tell the values at instants that are not known yet."""
-        left = [a for a in asked if a.place not in self._seen]
-        if len(self._seen) + len(left) > _KEPT:
-            self._seen.clear()
-
-        def see(k: int, machine: Machine) -> None:
-            found = self._of_machine(left[k], machine)
-            if found is not None:
-                self._seen[left[k].place] = found
-
-        self._walk.over([a.at for a in left], see, hear)
-
-    def _reals_of_machine(self, asked: Sequence[Asked], hear: Hear) -> tuple[Reals, Bools]:
-        """Return what the machine tells, and where it is a real."""
-        self._look(asked, hear)
-        values = [self._seen.get(a.place) for a in asked]
-        reals = [value if isinstance(value, float) else np.nan for value in values]
-        found = np.array(reals, np.float64)
-        return found, ~np.isnan(found)
-
-    def _of_machine(self, asked: Asked, machine: Machine) -> Value | CannotTell | None:
-        at, sources = asked.at, self._names.at(asked.activation)
-        found = [content_of(source, at.finished) for source in sources]
-        known = self._known(tuple([kind_of(content) for content in found]), asked, sources)
-        if known.evaluate is None:
-            return None
-        self._past.now, self._past.finished = at  # which elements of arrays look at
-        present = Present(machine, at, known.memory, process=asked.process)
-        try:
-            return self._worked_out(known, sources, found, as_context(present))
-        except CannotTell as problem:
-            return problem
-
     def _forked(self, asked: Asked, hear: Hear) -> Value:
         """Ask the controller itself, unless it is known; what it has said is remembered."""
         known = self._seen.get(asked.place)
@@ -297,13 +253,14 @@ class Expressions:
         self.run, self.dialect = run, dialect
         self.histories = Histories()
         self._tracks: Tracks | None = None
+        self.hear: Hear = nobody  # whoever asked last
         self._known: dict[str, Expression] = {}
 
     @property
     def tracks(self) -> Tracks:
         """All changes of signals and switches."""
         if self._tracks is None:
-            self._tracks = Tracks(self.run)
+            self._tracks = Tracks(self.run, self.hear)
         return self._tracks
 
     def of(self, text: str) -> Expression:

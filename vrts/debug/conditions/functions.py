@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from functools import cached_property
 from typing import TypeAlias, cast
 
 import numpy as np
@@ -11,16 +12,21 @@ from vrts.base.pose import IDENTITY, Pose, add
 from vrts.base.units import MM, mm
 from vrts.debug.conditions.block import Block, reals_of
 from vrts.debug.conditions.columns import Bools, Reals, pose_of
+from vrts.debug.conditions.machine import Machines
 from vrts.debug.conditions.moving import Moving
 from vrts.debug.conditions.past import Past
 from vrts.debug.conditions.vectors import Columns, NotAtOnce, Poses, logical, real, single
+from vrts.engine.code.values.controller_functions import parameter
 from vrts.engine.code.values.functions import PURE
-from vrts.engine.code.values.operands import expression_of, number_of
+from vrts.engine.code.values.operands import expression_of, number_of, parameter_cell
 from vrts.engine.code.values.real_expressions import SIGNALS
+from vrts.engine.code.values.state_functions import in_range
 from vrts.engine.code.values.static_types import static_type
 from vrts.engine.faults import RuntimeFault
 from vrts.engine.memory.cells import Cell
+from vrts.engine.programs.context import Context
 from vrts.ir.expressions import Apply, Argument, Compose, Constant, Expression, Function, Load
+from vrts.ir.ranges import ANALOG_INPUTS
 from vrts.ir.values import Type
 
 Names: TypeAlias = Mapping[str, int]
@@ -32,6 +38,7 @@ _SIMPLE: Mapping[Function, Callable[[Reals], Reals]] = {
     Function.ROUND: lambda a: np.where(a >= 0.0, np.floor(a + 0.5), np.ceil(a - 0.5)) + 0.0,
     Function.SIGN: lambda a: np.where(a >= 0.0, 1.0, -1.0),
 }
+OFTEN = 64  # instants after which somebody is heard again
 _COMPONENTS = (Function.DX, Function.DY, Function.DZ)
 
 
@@ -72,14 +79,95 @@ class Functions:
             case Function.HAND:
                 return self._moving.hand_is_open
             case Function.TIMER:
-                return self._timer(arguments[0])
+                return self._timer(self._operand(arguments[0], names))
             case Function.SIG:
                 signals = [self._signal(number_of(a)) for a in arguments]
                 return lambda b: logical(np.logical_and.reduce([holds(b) for holds in signals]))
+            case Function.PARAMETER if len(arguments) == 1:
+                return self._parameter(expression)
             case _ if function in PURE and static_type(expression) is Type.REAL:
                 return self._each(expression, names)
             case _:
+                return self._of_machine(expression, names)
+
+    def _of_machine(self, expression: Apply, names: Names) -> Columns:
+        """Return a closure for what was noted of the machine."""
+        machines, arguments = self._machines, expression.arguments
+        number = number_of(arguments[0]) if arguments else None
+        match expression.function:
+            case Function.RANDOM if machines.draws_anew:
+                return machines.random
+            case Function.SPEED if number in (1, 2, 3):
+                return lambda b: machines.speed(b, number)
+            case Function.STATE if number is not None:
+                return lambda b: machines.state(b, number)
+            case Function.ADC if number is not None and number in ANALOG_INPUTS:
+                return lambda b: machines.analog(b, number)
+            case Function.PRIORITY:
+                return machines.priority
+            case Function.ERROR if not arguments or number is not None:
+                return machines.error
+            case Function.FREE if number is not None:
+                return lambda b: single(b, machines.free(b))
+            case Function.STATUS if isinstance(arguments[0], Constant):
+                name = str(arguments[0].value).strip().lower()
+                return lambda b: machines.status(b, name)
+            case Function.INRANGE:
+                return self._in_range(expression_of(arguments[0]), names)
+            case _:
                 raise NotAtOnce
+
+    @cached_property
+    def _machines(self) -> Machines:
+        if self._past.facts is None:
+            raise NotAtOnce
+        return Machines(self._past.run, self._past.facts)
+
+    def _in_range(self, location: Expression, names: Names) -> Columns:
+        """Return a closure that works out each situation once."""
+        machines, pose = self._machines, self.pose(location, names)
+        base, tool = self._held("base"), self._held("tool")
+
+        def found(b: Block) -> Reals:
+            wanted = pose(b)
+            places = [_numbers(b, place) for place in (wanted, base(b), tool(b))]
+            state = machines.aims(b).astype(np.float64), machines.turns(b)
+            rows = np.array([*state, *(number for place in places for number in place)]).T
+            _, first, which = np.unique(rows, axis=0, return_index=True, return_inverse=True)
+            poses, times, finished = _listed(b, wanted), b.times.tolist(), b.finished.tolist()
+            bits: list[float] = []
+            for k in first.tolist():
+                b.hear()
+                if b.unsure[k]:
+                    bits.append(0.0)
+                    continue
+                self._past.now, self._past.finished = times[k], finished[k]
+                bits.append(in_range(cast("Context", self._past), poses[k]))
+            return np.array(bits)[which.reshape(-1)]
+
+        return found
+
+    def _parameter(self, expression: Apply) -> Columns:
+        """Return a closure for a parameter that is one number."""
+        named, span, past = expression.arguments[0], expression.span, self._past
+        assert isinstance(named, Constant)
+        name = str(named.value).upper()
+        try:
+            wanted = parameter_cell(name, None, span)
+        except RuntimeFault:
+            raise NotAtOnce from None
+        cell = past.run.history.memory.parameters.get(wanted)
+        past.now, past.finished = 0.0, -1  # before anything was set
+        otherwise = np.float64(parameter(cast("Context", past), name, wanted, span))
+        if cell is None:
+            return lambda b: np.full(b.count, otherwise)
+
+        def held(b: Block) -> Reals:
+            known = b.histories.of(cell)
+            values = known.reals[known.places(b.finished)]
+            return single(b, np.where(np.isnan(values), otherwise, values))
+
+        return held
 
     def _operand(self, argument: Argument, names: Names) -> Columns:
         if argument is None:
@@ -107,6 +195,9 @@ class Functions:
             case Apply(function=Function.HERE):
                 base, tool = self._held("base"), self._held("tool")
                 return lambda b: base(b) @ (self._moving.flange(b) @ tool(b))
+            case Apply(function=Function.DEST):
+                base, machines = self._held("base"), self._machines
+                return lambda b: base(b) @ machines.dest(b)
             case Apply(function=Function.BASE):
                 return self._held("base")
             case Apply(function=Function.TOOL):
@@ -142,13 +233,10 @@ class Functions:
 
     # --- timers and signals -------------------------------------------------------------------
 
-    def _timer(self, argument: Argument) -> Columns:
-        number, timers = number_of(argument), self._past.timers
-        if number is None or timers is None:
-            raise NotAtOnce
-        since, zeros = timers.zeros_of(number)
+    def _timer(self, number: Columns) -> Columns:
+        machines, whole = self._machines, _SIMPLE[Function.ROUND]
         return lambda b: single(
-            b, b.times - zeros[np.searchsorted(since, b.finished, side="right")]
+            b, b.times - machines.timer(b, np.broadcast_to(whole(number(b)), b.count))
         )
 
     def _signal(self, number: int | None) -> Callable[[Block], Bools]:
@@ -178,7 +266,9 @@ class Functions:
         def called(b: Block) -> Sequence[object]:
             found: list[object] = [None] * b.count
             rows = [o(b) for o in operands]
-            for k in np.flatnonzero(~b.unsure).tolist():
+            for n, k in enumerate(np.flatnonzero(~b.unsure).tolist()):
+                if n % OFTEN == 0:
+                    b.hear()
                 try:
                     found[k] = apply([row[k] for row in rows], span)  # type: ignore[misc]
                 except (RuntimeFault, AssertionError, TypeError, AttributeError):
@@ -207,6 +297,8 @@ class Functions:
                 return lambda b: list(
                     zip(*(row.tolist() for row in self._moving.all_joints(b)), strict=True)
                 )
+            case Apply(function=Function.DEST_JOINTS):
+                return self._machines.dest_joints
             case Constant(value=value):
                 return lambda b: [value] * b.count
             case _:

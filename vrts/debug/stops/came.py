@@ -2,13 +2,14 @@
 
 from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Iterator, Sequence
+from heapq import merge
 from itertools import islice
-from typing import Literal, NamedTuple
+from time import process_time
+from typing import NamedTuple
 
 import numpy as np
 
 from vrts.debug.breakpoints import Resolved, counts, passes
-from vrts.debug.conditions.columns import Reals
 from vrts.debug.conditions.expression import Expression
 from vrts.debug.conditions.hearing import Hear
 from vrts.debug.evaluating import CannotTell
@@ -17,7 +18,8 @@ from vrts.engine.memory.trace import Activation
 from vrts.engine.run import Run
 
 OFTEN = 256  # passages that are looked at before somebody is heard again
-FIRST, MOST = 64, 4096  # passages whose conditions are worked out together: at first, at most
+FIRST, MOST = 64, 4096  # passages that are looked at together: at first, at most
+GOAL_S = 0.015  # of the processor, that those are to take: then somebody is heard
 
 
 class Came(NamedTuple):
@@ -44,7 +46,6 @@ class Place:
         self.came = came
         self._condition, self._hits = condition, hits.strip()
         self._known = np.zeros(len(came), np.uint8)  # 0: not looked at; else one of the three below
-        self._instants_s: Reals | None = None
         self._problems: dict[int, str] = {}
         self._counted: list[int] | None = None  # those that the hits choose
 
@@ -97,24 +98,14 @@ class Place:
                     yield k
 
     def _blocks(self, order: range) -> Iterator[tuple[int, int]]:
-        """Return passages that are looked at together: few at first, and whole ticks."""
-        times = self._times()
-        size, done, step = FIRST, 0, order.step
+        """Return passages that are looked at together: as many as the last ones left time for."""
+        size, done = FIRST, 0
         while done < len(order):
             part = order[done : done + size]
-            begin, end = min(part[0], part[-1]), max(part[0], part[-1]) + 1
-            if step > 0:
-                end = min(_place(times, end - 1, "right"), order[-1] + 1)
-            else:
-                begin = max(_place(times, begin, "left"), order[-1])
-            yield begin, end
-            done += end - begin
-            size = min(2 * size, MOST)
-
-    def _times(self) -> Reals:
-        if self._instants_s is None:
-            self._instants_s = np.array([came.instant.time_s for came in self.came], np.float64)
-        return self._instants_s
+            before_s = process_time()
+            yield min(part[0], part[-1]), max(part[0], part[-1]) + 1
+            done += len(part)
+            size = fitting(size, process_time() - before_s)
 
     def _learn(self, condition: Expression, begin: int, end: int, look: "Look") -> None:
         """Find out about passages together what can be found out so."""
@@ -170,9 +161,10 @@ class Place:
 _FALSE, _TRUE, _PROBLEM = 1, 2, 3
 
 
-def _place(times: Reals, k: int, side: Literal["left", "right"]) -> int:
-    """Return where the instants of the tick of one begin or end."""
-    return int(np.searchsorted(times, float(times[k]), side))
+def fitting(size: int, spent_s: float) -> int:
+    """Return how many may follow so many that took a time [s]: never more than twice as many."""
+    share = GOAL_S / spent_s if spent_s > 0.0 else 2.0
+    return max(1, min(int(size * min(share, 2.0)), MOST))
 
 
 class Look:
@@ -207,17 +199,24 @@ def came_to(run: Run, both: Sequence[Passages], resolved: Resolved, hear: Hear) 
     Raises:
         Interrupted: `hear` has heard somebody.
     """
-    found: list[Came] = []
+    every: list[list[Came]] = []
     for passages in both:
         hear()
         numbers = np.asarray(passes(passages, resolved), np.int64)
+        hear()
         if len(numbers):
             finished = passages.reached[numbers]
+            hear()
             instants = map(Instant, _times(run, finished), finished.tolist())
-            while part := [Came(at, passages.is_process) for at in islice(instants, MOST)]:
-                hear()
-                found += part
-    return sorted(found) if len(both) > 1 else found
+            process = passages.is_process
+            every.append(list(_heard((Came(at, process) for at in instants), hear)))
+    return every[0] if len(every) == 1 else list(_heard(merge(*every), hear))
+
+
+def _heard(every: Iterator[Came], hear: Hear) -> Iterator[Came]:
+    while part := list(islice(every, MOST)):
+        hear()
+        yield from part
 
 
 def _times(run: Run, finished: "np.typing.NDArray[np.int64]") -> list[float]:

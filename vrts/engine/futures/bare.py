@@ -97,6 +97,7 @@ def without_past(machine: Machine) -> Machine:
     other.ticks = other.counts = NOWHERE  # type: ignore[assignment]
     for cell in _cells(other):
         cell.since = cell.values = UNKEPT  # type: ignore[assignment]
+    other.system.facts = other.system.planner.facts = None
     other.watcher.broken = "futures are told apart by others"
     return other
 

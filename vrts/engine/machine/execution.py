@@ -13,7 +13,7 @@ from vrts.engine.machine.reacting import catch, react
 from vrts.engine.memory.events import Cause
 from vrts.engine.memory.records import INSTANT, Ending
 from vrts.engine.programs.context import Context
-from vrts.engine.programs.cycles import next_cycle, rest
+from vrts.engine.programs.cycles import next_cycle, rest, tell
 from vrts.engine.programs.outside import Undecided
 
 
@@ -96,6 +96,8 @@ def run_frame(machine: Machine, c: Context, left: int) -> int:
                 if c.reactions_wait:
                     break  # one may be taken now
             elif outcome == BLOCKED:
+                if c.phase and c.system.facts is not None:
+                    c.system.facts.blocked(c.wake, robot=c.is_robot)
                 trace.instructions.pop()
                 finished -= 1
                 c.finished = finished
@@ -129,6 +131,7 @@ def _left(machine: Machine, c: Context, outcome: int, left: int) -> int:
     elif outcome == HALTED:
         end(machine, c, Ending.HALTED, None)
         c.clear()
+        tell(c)
     else:
         assert outcome == PAUSED
         end(machine, c, Ending.PAUSED, None)

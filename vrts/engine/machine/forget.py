@@ -72,6 +72,8 @@ def _forget_statements(machine: Machine, before_s: float, columns: Columns) -> N
     machine.counts = columns.without(machine.counts, first)
     for cell in _cells(machine):
         shorten_values(cell, finished, columns)
+    if machine.system.facts is not None:
+        machine.system.facts.forget(before_s, columns)
     for c in (machine.robot, machine.process):
         forget_steps(c.trace, finished, columns)
 

@@ -11,7 +11,7 @@ from vrts.engine.code.executable import Executable
 from vrts.engine.hand.hand import Hand
 from vrts.engine.machine.sensing import Sensing
 from vrts.engine.machine.watcher import Watcher
-from vrts.engine.memory.cells import Bound, cells_of
+from vrts.engine.memory.cells import Bound, Cell, cells_of
 from vrts.engine.memory.records import INSTANT
 from vrts.engine.motion.planner import Planner
 from vrts.engine.programs.context import Context
@@ -118,6 +118,7 @@ class Machine:
         self.watcher = Watcher()
         self.lineage = Lineage()
         self.written = 0
+        self._tell()
 
     # --- versions -----------------------------------------------------------------------------
 
@@ -143,10 +144,21 @@ class Machine:
             c.robot, c.process = self.robot, self.process
         self.system.hand.planner = self.system.planner
         self.system.events.counted = self.counted
+        facts = self.system.planner.facts = self.system.facts
+        if facts is not None:
+            facts.now = self.moment
 
     def counted(self) -> int:
         """Return how many statements are finished, the one under way included."""
         return max(self.finished, self.robot.finished, self.process.finished)
+
+    def moment(self) -> tuple[float, int]:
+        """Return the time of the tick under way [s], and `counted`."""
+        robot, number = self.robot, self.finished
+        if robot.finished > number:
+            number = robot.finished
+        other = self.process.finished
+        return robot.now, other if other > number else number
 
     def write(self) -> None:
         """Begin to add to the shared histories; part from versions that went on before."""
@@ -172,11 +184,28 @@ class Machine:
                     cell.cut(self.finished)
         for cell in self.system.cells():
             cell.cut(self.finished)
+        if self.system.facts is not None:
+            self.system.facts.cut(self.now)
+
+    def _tell(self) -> None:
+        """Note what is so at the beginning."""
+        self.system.planner.tell()
+        self.system.planner.tell_settings()
+        self.tell_memory()
+
+    def tell_memory(self) -> None:
+        """Note which programs and names are in memory."""
+        facts = self.system.facts
+        if facts is not None:
+            facts.programs.turn(*self.moment(), self.system.programs.numbers)
+            scalars = sum(isinstance(bound, Cell) for bound in self.system.memory.bound)
+            facts.sizes.turn(*self.moment(), scalars)
 
     def take_over(self, executable: Executable) -> None:
         """Have other programs in memory from now on."""
         self.executable = executable
         self.system.programs = executable.programs
+        self.tell_memory()
 
     # --- time -----------------------------------------------------------------------------------
 

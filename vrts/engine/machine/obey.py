@@ -12,7 +12,15 @@ from vrts.engine.memory.events import CommandRefused, SignalChanged
 from vrts.engine.memory.records import Ending
 from vrts.engine.motion.requests import to_joints, to_line
 from vrts.engine.programs.context import Context
-from vrts.engine.programs.cycles import abort, after_step, begin, end_later, go_on, note_progress
+from vrts.engine.programs.cycles import (
+    abort,
+    after_step,
+    begin,
+    end_later,
+    go_on,
+    note_progress,
+    tell,
+)
 from vrts.engine.programs.outside import as_known
 from vrts.engine.programs.signals import known
 from vrts.ir import commands as k
@@ -97,6 +105,7 @@ def _obey(command: k.Command, machine: Machine, now: float) -> None:
         case k.SetVariable(name=name, subscripts=subscripts, value=value):
             cell = machine.executable.layout.variable(system.memory, name, subscripts)
             cell.assign(UNDEFINED if value is None else value, machine.finished)
+            machine.tell_memory()
         case k.SetLocal(process=of_process):
             _set_local(machine, process if of_process else robot, command)
         case k.GoTo(step=step, process=of_process):
@@ -164,6 +173,7 @@ def _do(machine: Machine, module: Module, now: float) -> None:
     depth = machine.scenario.limits.call_depth
     machine.take_over(Executable(Module(module.programs, ()), depth, machine.executable))
     machine.executable.layout.extend(machine.system.memory)
+    machine.tell_memory()
     robot = machine.robot
     machine.stopped = robot.stop() if robot.frames else None
     robot.finished = machine.finished
@@ -172,6 +182,7 @@ def _do(machine: Machine, module: Module, now: float) -> None:
     begin(robot, name, 1, 1, now)
     robot.at_once = True
     planner.settings, robot.next_hand = settings, next_hand
+    planner.tell_settings()
     machine.ended_s = None
 
 
@@ -188,12 +199,14 @@ def _load(machine: Machine, module: Module) -> None:
     machine.take_over(Executable(module, depth, machine.executable))
     machine.executable.layout.extend(memory)
     machine.executable.load(module, memory, machine.finished)
+    machine.tell_memory()
 
 
 def _delete(machine: Machine, names: tuple[str, ...]) -> None:
     programs = machine.system.programs
     if not machine.process.running:  # where it stopped is forgotten
         machine.process.clear()
+        tell(machine.process)
     used = {
         programs.loaded[frame.program].program.name
         for c in (machine.robot, machine.process)
@@ -245,7 +258,8 @@ def _set_local(machine: Machine, c: Context, command: k.SetLocal) -> None:
     bound = frame.slots[names.index(command.name)]
     if isinstance(bound, Array) != bool(command.subscripts):
         raise _Refused(UNKNOWN)
-    cell = bound.element(command.subscripts) if isinstance(bound, Array) else bound
+    made = machine.finished
+    cell = bound.element(command.subscripts, made) if isinstance(bound, Array) else bound
     cell.assign(UNDEFINED if command.value is None else command.value, machine.finished)
 
 
@@ -259,6 +273,7 @@ def _go_to(machine: Machine, c: Context, step: int, now: float) -> None:
     frame.index = steps[step - 1]
     c.phase, c.operands, c.fault = 0, None, None
     c.wake = now
+    tell(c)
 
 
 def _forget(machine: Machine, name: str) -> None:

@@ -70,7 +70,7 @@ class Cell:
 class Array:
     """An array: its elements exist once they are assigned."""
 
-    __slots__ = ("elements", "name")
+    __slots__ = ("elements", "made", "name")
 
     value = UNDEFINED  # of an array as a whole
 
@@ -78,13 +78,15 @@ class Array:
         """Make an array without elements."""
         self.name = name
         self.elements: dict[tuple[int, ...], Cell] = {}
+        self.made = array("I")  # statements finished when each came about, in their order
 
-    def element(self, subscripts: tuple[int, ...]) -> Cell:
-        """Return an element's cell, making it when it is first spoken of."""
+    def element(self, subscripts: tuple[int, ...], since: int = 0) -> Cell:
+        """Return an element's cell, making it when it is first spoken of: from `since` on."""
         cell = self.elements.get(subscripts)
         if cell is None:
             listed = ",".join(str(subscript) for subscript in subscripts)
             cell = self.elements[subscripts] = Cell(f"{self.name}[{listed}]")
+            self.made.append(since)
         return cell
 
 
@@ -129,6 +131,7 @@ def copy_bound(item: Bound, copies: dict[int, Bound]) -> Bound:
         copied: Bound = item.copy()
     else:
         copied = Array(item.name)
+        copied.made = item.made[:]
         for subscripts, cell in item.elements.items():
             element = copy_bound(cell, copies)
             assert isinstance(element, Cell)

@@ -6,18 +6,19 @@ are kept in path time; `scale` maps it to run time.
 """
 
 import math
-from typing import NamedTuple
 
 from vrts.base.pose import IDENTITY, Pose
 from vrts.controllers.model import ControllerModel, NoLength, Settling
 from vrts.engine.faults import SINGULAR_JUMP, RuntimeFault
 from vrts.engine.memory.events import Cause
+from vrts.engine.memory.facts import Aim, Facts
 from vrts.engine.memory.records import INSTANT, Motion
 from vrts.engine.motion.advice import Advice
-from vrts.engine.motion.corner import Corner, Leg, fits, half_width, round_corner
-from vrts.engine.motion.given import CutOff, Given
+from vrts.engine.motion.corner import Leg, fits, half_width, round_corner
+from vrts.engine.motion.given import Given
 from vrts.engine.motion.lines.faults import advise
 from vrts.engine.motion.lines.set_points import Piece
+from vrts.engine.motion.pending import Pending
 from vrts.engine.motion.plan import Intent, Planned, from_rest
 from vrts.engine.motion.profile import TICK_TOLERANCE
 from vrts.engine.motion.remarks import Overspeed, Remark, Told
@@ -28,21 +29,7 @@ from vrts.ir.instructions import BranchRequest
 from vrts.robots.kinematics.branch import INITIAL_BRANCH, branch_of
 from vrts.robots.kinematics.choice import NOTHING_REQUESTED
 from vrts.robots.kinematics.kinematics import forward
-from vrts.robots.model import (
-    Arm,
-    ArmBranch,
-    Configuration,
-)
-
-
-class Pending(NamedTuple):
-    """A motion that is on the timeline already but may still be taken back."""
-
-    start_s: float  # in path time
-    corner: Corner
-    target: Pose | None  # X_VT
-    intent: Intent
-    replaced: CutOff  # by its pieces
+from vrts.robots.model import Arm, ArmBranch, Configuration
 
 
 class Planner:
@@ -78,6 +65,7 @@ class Planner:
         self.scale = TimeScale(rate)
         self.ghost: tuple[Configuration, ArmBranch] | None = None  # in a dry run: where it would be
         self.braking_until = 0.0  # run time at which a stop under way is complete
+        self.facts: Facts | None = None  # where changes are noted
 
     def copy(self) -> "Planner":
         """Return an independent planner that shares the past."""
@@ -95,11 +83,21 @@ class Planner:
     def ask(self, branch: BranchRequest) -> None:
         """Remember a requested branch until a joint-interpolated motion carries it out."""
         self.request = with_request(self.request, branch)
+        self.tell()
 
     def set_tool(self, X_FT: Pose) -> None:
         """Change the tool; the destination becomes where the new tool is."""
         self.tool = X_FT
         self.tool_at_dest = forward(self.arm, self.dest) @ X_FT
+        self.tell()
+
+    def take_settings(self, *, but_speed: bool = False) -> Settings:
+        """Return the settings of the motion now given; those for one motion are used up."""
+        before = self.settings.next
+        found = self.settings.take(but_speed=but_speed)
+        if before:
+            self.tell_settings()
+        return found
 
     # --- locations ----------------------------------------------------------------------------
 
@@ -128,11 +126,6 @@ class Planner:
         self.ghost = None
 
     # --- times --------------------------------------------------------------------------------
-
-    @property
-    def path_end(self) -> float:
-        """Run time from which on the arm stands still, DELAY or not [s]."""
-        return self.scale.time(self.given.end_s)
 
     @property
     def motion_end(self) -> float:
@@ -215,6 +208,7 @@ class Planner:
             self._end(end, intent.settings)
         self.leg = self._leg(planned, intent, start) if pieces and planned.fault is None else None
         self._carry_out_request(intent)
+        self.tell()
         return planned.fault
 
     def join(self, intent: Intent, now: float, target: Pose | None, cause: Cause) -> bool:
@@ -259,8 +253,7 @@ class Planner:
         """Begin the motion that waited its turn: it cannot be taken back any more."""
         pending = self.pending
         assert pending is not None
-        self.pending = None
-        corner = pending.corner
+        self.pending, corner = None, pending.corner
         self.configuration = self.dest = corner.goal
         self.branch = corner.branch
         reached = forward(self.arm, corner.goal) @ self.tool
@@ -270,6 +263,7 @@ class Planner:
         self.leg = corner.leg
         self._end(corner.pieces[-1][1], pending.intent.settings)
         self._carry_out_request(pending.intent)
+        self.tell()
 
     def take_back(self, now: float) -> None:
         """Forget the motion that waits its turn: the one under way ends at its own target.
@@ -293,9 +287,16 @@ class Planner:
         ticks = math.ceil(max(seconds, 0.0) / self.arm.tick - TICK_TOLERANCE)
         self.hold_until = start_s + ticks * self.arm.tick
         self.leg = None
+        if self.facts is not None:
+            self.facts.end(self.motion_end, 0.0)
 
     def brake(self, now: float) -> bool:
         """Slow down to rest along the path and give the motion up; return whether one was cut."""
+        cut = self._brake(now)
+        self.tell()
+        return cut
+
+    def _brake(self, now: float) -> bool:
         self.take_back(now)
         self.hold_until = min(self.hold_until, now)
         given, path_s = self.given, self.scale.path(now)
@@ -328,6 +329,21 @@ class Planner:
         else:
             ramp = self.model.pace.monitor_accelerations * self.arm.acceleration_time
             self.scale.change(now, rate, ramp)
+        self.tell()
+
+    # --- noting -------------------------------------------------------------------------------
+
+    def tell(self) -> None:
+        """Note where the arm is to go now, and until when it moves."""
+        if self.facts is not None:
+            begin = self.configuration, self.branch, self.request
+            self.facts.aim(Aim(self.dest, self.tool_at_dest, *begin), self.scale.rate)
+            self.facts.end(self.motion_end, self.braking_until)
+
+    def tell_settings(self) -> None:
+        """Note which speeds hold now."""
+        if self.facts is not None:
+            self.facts.speed(*self.settings.speeds, turns=self.settings.always.multiple)
 
     # --- parts --------------------------------------------------------------------------------
 

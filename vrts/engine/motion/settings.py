@@ -72,6 +72,13 @@ class InForce:
         other.always, other.next = self.always, self.next.copy()
         return other
 
+    @property
+    def speeds(self) -> tuple[float, float]:
+        """What SPEED tells of all motions, and of the next one, in the units they were given."""
+        always = self.always.speed
+        following = self.next.get("speed", always)
+        return always.value, following.value  # type: ignore[attr-defined]
+
     def take(self, *, but_speed: bool = False) -> Settings:
         """Return the settings of the motion now given; those for one motion are used up."""
         if not self.next:

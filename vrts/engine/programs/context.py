@@ -226,3 +226,5 @@ class Context:
         """Let programs that wait for the arm look again: it may arrive earlier than they know."""
         for program in (self.robot, self.process):
             program.wake = min(program.wake, self.now)
+            if self.system.facts is not None:
+                self.system.facts.looked(robot=program.is_robot)

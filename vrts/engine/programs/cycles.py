@@ -1,6 +1,7 @@
 """Programs begin, go through their cycles and end, the robot program as the other one."""
 
 from vrts.engine.memory.events import Cause, ProgramEnded, ProgramProgressed, ProgramStarted
+from vrts.engine.memory.facts import Executed
 from vrts.engine.memory.records import Ending
 from vrts.engine.motion.settings import InForce
 from vrts.engine.programs.context import Context
@@ -22,8 +23,19 @@ def begin(c: Context, name: str, cycles: int, step: int, now: float) -> None:
     note_progress(c)
 
 
+def tell(c: Context) -> None:
+    """Note what a program tells others of itself, where that changes."""
+    facts, error = c.system.facts, c.last_error
+    if facts is not None:
+        kept = bool(c.frames) and c.ending is not Ending.COMPLETED
+        number = 0 if error is None else error.number
+        told = Executed(c.program, c.running, kept, c.priority, number)
+        facts.executes(told, robot=c.is_robot)
+
+
 def note_progress(c: Context, time_s: float | None = None) -> None:
     """Note cycles and priority of a program, where they change; by default now."""
+    tell(c)
     c.events.append(
         ProgramProgressed(
             c.now if time_s is None else time_s,
@@ -58,6 +70,7 @@ def end(c: Context, ending: Ending, time_s: float) -> None:
     c.phase, c.operands, c.fault = 0, None, None
     c.steps_left = None
     c.events.append(ProgramEnded(time_s, ending.value, place(c), process=not c.is_robot))
+    tell(c)
 
 
 def abort(c: Context, now: float) -> None:
@@ -134,3 +147,4 @@ def _begin_cycle(c: Context, step: int) -> None:
     c.kept_cycles = None
     if c.is_robot:
         c.planner.settings = InForce()
+        c.planner.tell_settings()

@@ -5,6 +5,7 @@ from collections.abc import Callable
 from vrts.engine.hand.hand import Hand
 from vrts.engine.memory.cells import Bound, Cell, Memory
 from vrts.engine.memory.event_log import EventLog
+from vrts.engine.memory.facts import Facts
 from vrts.engine.memory.log import Log
 from vrts.engine.motion.planner import Planner
 from vrts.engine.programs.loaded import Programs
@@ -36,6 +37,7 @@ class System:
         self.signals = signals
         self.terminal = terminal
         self.events = EventLog()
+        self.facts: Facts | None = Facts()  # None: nobody will ask what they were
         self.timers: dict[int, float] = {}  # time at which a timer stood at zero [s]
         self.random_state = seed & 0xFFFFFFFF
         self.switches: dict[str, bool] = {}  # those that differ from the start
@@ -69,6 +71,7 @@ class System:
         other.memory = self.memory.copy(copies)
         other.signals, other.terminal = self.signals.copy(), self.terminal.copy()
         other.events = self.events.copy()
+        other.facts = None if self.facts is None else self.facts.copy()
         other.outside = None if self.outside is None else self.outside.copy()
         return other
 

@@ -13,6 +13,7 @@ from vrts.debug.conditions.hearing import Interrupted, nobody
 from vrts.debug.debugger import Debugger
 from vrts.debug.evaluating import CannotTell, evaluate
 from vrts.debug.frames import frames, seen_by
+from vrts.debug.passages import at_time
 from vrts.engine.controller import execute
 from vrts.engine.run import Run
 from vrts.lang.dialect import DIALECTS
@@ -225,24 +226,24 @@ def test_an_automatic_variable_without_a_value_hides_a_global_one() -> None:
         evaluate(d.run, entered, "n+0", d.dialect, inside.seen(d.run, entered))
 
 
-def test_who_looks_at_the_machine_is_heard_before_and_what_it_says_is_remembered() -> None:
+def test_who_asks_the_controller_is_heard_before_and_what_it_says_is_remembered() -> None:
     d = there()
     asked: list[int] = []
-    chance = Expressions(d.run, d.dialect).of("RANDOM()")
-    at = d.passages(process=False).instant(5)
+    timer = Expressions(d.run, d.dialect).of("TIMER(1)")
+    at, later = (at_time(d.run, ticks * d.run.history.tick_s) for ticks in (4.5, 5.5))
 
     def hear() -> None:
         asked.append(1)
 
-    first = chance.value(at, None, hear)
+    first = timer.value(at, None, hear)
     before = len(asked)
-    assert before > 0
-    assert chance.value(at, None, hear) == first
-    assert len(asked) == before
+    assert (before > 0, timer.forks) == (True, 1)
+    assert timer.value(at, None, hear) == first
+    assert (len(asked), timer.forks) == (before, 1)
 
     def leave() -> None:
         raise Interrupted
 
     with pytest.raises(Interrupted):
-        chance.value(d.passages(process=False).instant(6), None, leave)
-    assert chance.value(d.passages(process=False).instant(6), None, nobody) == first
+        timer.value(later, None, leave)
+    assert timer.value(later, None, nobody) > first  # type: ignore[operator]

@@ -104,7 +104,7 @@ class MotionStepCompiler:
         def delay(c: Context) -> int:
             planner, counts = c.planner, c.planner.model.next_motion
             if counts.delay_uses_settings and c.phase == 0:
-                planner.settings.take()
+                planner.take_settings()
                 c.phase = WAITED
             if not reached(c, planner.free_at):
                 return BLOCKED

@@ -9,7 +9,7 @@ from vrts.engine.code.values.compiler import Compiler
 from vrts.engine.faults import RuntimeFault
 from vrts.engine.memory.events import Cause
 from vrts.engine.programs.context import Context
-from vrts.engine.programs.cycles import abort, after_step, begin, end_later, note_progress
+from vrts.engine.programs.cycles import abort, after_step, begin, end_later, note_progress, tell
 from vrts.engine.programs.frames import FrameKind
 from vrts.engine.programs.signals import OUTPUTS, known
 from vrts.engine.programs.watches import MOST_WATCHES, Watch
@@ -199,4 +199,5 @@ def _return_error(c: Context, cause: Cause) -> int:
     frame = c.frames[-1]
     program = c.system.programs.loaded[frame.program].program
     frame.index = after_step(program, frame.index)
+    tell(c)
     return SWITCHED

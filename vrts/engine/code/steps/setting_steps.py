@@ -51,6 +51,7 @@ class SettingStepCompiler:
                 settings.always = settings.always._replace(**found)  # type: ignore[arg-type]
             else:
                 settings.next.update(found)
+            c.planner.tell_settings()
             return following
 
         return keep

@@ -138,7 +138,9 @@ class SignalStepCompiler:
 
         def set_timer(c: Context) -> int:
             which = integer(number(c), cause.span, 1, HIGHEST_TIMER, "timer")
-            c.system.timers[which] = c.now - value(c)
+            zero_s = c.system.timers[which] = c.now - value(c)
+            if c.system.facts is not None:
+                c.system.facts.timer(which, zero_s, c.now, c.finished)
             return following
 
         return set_timer

@@ -135,7 +135,7 @@ class TargetCompiler:
             percent = own(c) if own is not None else 100.0
             speed = positive(Speed(percent, ir.SpeedUnit.PERCENT), cause.span)
             keeps = not c.planner.model.next_motion.drive_uses_speed
-            settings = c.planner.settings.take(but_speed=keeps)
+            settings = c.planner.take_settings(but_speed=keeps)
             fraction = speed.fraction(c.planner.arm, speed_max(c))
             return Target(
                 ir.Interpolation.JOINT,
@@ -219,12 +219,12 @@ def speed_max(c: Context) -> float:
 
 
 def _to_pose(c: Context, interpolation: ir.Interpolation, pose: Pose, span: Span) -> Target:
-    settings = c.planner.settings.take()
+    settings = c.planner.take_settings()
     fraction = settings.speed.fraction(c.planner.arm, speed_max(c))
     return Target(interpolation, pose, None, settings, fraction, span)
 
 
 def _to_joints(c: Context, joints: Configuration, span: Span) -> Target:
-    settings = c.planner.settings.take()
+    settings = c.planner.take_settings()
     fraction = settings.speed.fraction(c.planner.arm, speed_max(c))
     return Target(ir.Interpolation.JOINT, None, joints, settings, fraction, span)

@@ -89,7 +89,7 @@ def controller_function(compiler: Compiler, expression: Apply) -> Evaluate:
 
             def free(c: Context) -> Value:
                 selector(c)
-                share = len(c.memory.cells()) / MEMORY_CELLS
+                share = c.memory.size / MEMORY_CELLS
                 return rounded(100.0 * max(1.0 - share, 0.0), span)
 
             return free

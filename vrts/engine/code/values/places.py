@@ -69,7 +69,9 @@ class Places:
 
         def element(c: Context) -> Cell:
             array = _array(c, find(c), name, span)
-            return array.element(tuple(subscript_of(s(c), name, span) for s in subscripts))
+            return array.element(
+                tuple(subscript_of(s(c), name, span) for s in subscripts), c.finished
+            )
 
         return element
 
@@ -88,7 +90,7 @@ class Places:
             if index != value or not 0 <= index <= HIGHEST_SUBSCRIPT:
                 index = subscript_of(value, name, span)
             cell = found.elements.get((index,))  # type: ignore[union-attr]
-            return cell if cell is not None else found.element((index,))  # type: ignore[union-attr]
+            return cell if cell is not None else found.element((index,), c.finished)  # type: ignore[union-attr]
 
         return element
 
@@ -155,7 +157,7 @@ class Places:
             if isinstance(found, Cell):
                 raise mismatch(f"`{name}` is not an array", span)
             *outer, last = (subscript_of(s(c), name, span) for s in subscripts)
-            return found.element((*outer, subscript_of(float(last + k), name, span)))
+            return found.element((*outer, subscript_of(float(last + k), name, span)), c.finished)
 
         return element
 

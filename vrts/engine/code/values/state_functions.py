@@ -45,6 +45,7 @@ from vrts.robots.model import Configuration
 
 TOO_CLOSE, TOO_FAR = 8192.0, 16384.0  # bits of INRANGE
 RANDOM_MULTIPLIER, RANDOM_INCREMENT = 1664525, 1013904223  # linear congruential, 32 bits
+DRAWN_OF = float(1 << 24)  # numbers that RANDOM may draw
 
 
 def state_function(compiler: Compiler, expression: Apply) -> Evaluate:
@@ -88,7 +89,7 @@ def state_function(compiler: Compiler, expression: Apply) -> Evaluate:
             return _defined(compiler, expression.arguments[0])
         case Function.INRANGE:
             location = compiler.location(expression_of(expression.arguments[0]))
-            return lambda c: _in_range(c, location(c))
+            return lambda c: in_range(c, location(c))
         case Function.ENCODE:
             items = tuple(_item(a) for a in expression.arguments)
             text = written(compiler, items, "$ENCODE")
@@ -182,11 +183,20 @@ def _random(c: Context) -> float:
     system.clock_reads += 1
     if system.outside is not None and system.outside.random:
         return system.outside.draw()
+    facts = system.facts
     if system.draws:
         drawn, system.draws = system.draws[0], system.draws[1:]
+        if facts is not None:
+            facts.left.note(*facts.now(), len(system.draws))
         return drawn
-    system.random_state = (RANDOM_MULTIPLIER * system.random_state + RANDOM_INCREMENT) & 0xFFFFFFFF
-    return (system.random_state >> 8) / float(1 << 24)
+    state = (RANDOM_MULTIPLIER * system.random_state + RANDOM_INCREMENT) & 0xFFFFFFFF
+    system.random_state = state
+    if facts is not None:
+        track = facts.drawn
+        track.times.append(c.now)
+        track.numbers.append(c.finished)
+        track.values.append(state)
+    return (state >> 8) / DRAWN_OF
 
 
 def _bits(c: Context, first: int, count: float, span: Span | None) -> float:
@@ -194,7 +204,8 @@ def _bits(c: Context, first: int, count: float, span: Span | None) -> float:
     return float(sum(1 << k for k in range(number) if c.signals.holds(first + k, span)))
 
 
-def _in_range(c: Context, location: Value) -> float:
+def in_range(c: Context, location: Value) -> float:
+    """INRANGE: 0 where a location can be reached, else bits that say why not."""
     planner = c.planner
     if not isinstance(location, Pose):
         joints = cast("Configuration", location)

@@ -7,7 +7,8 @@ from vrts.engine.machine.machine import Machine
 from vrts.engine.machine.states.nearly import DIGITS, NEARLY, Nearly, from_now
 from vrts.engine.memory.records import ArmPiece
 from vrts.engine.motion.corner import Leg
-from vrts.engine.motion.planner import Pending, Planner
+from vrts.engine.motion.pending import Pending
+from vrts.engine.motion.planner import Planner
 
 OVER = 1e-7  # [s] what lasts no longer is over
 

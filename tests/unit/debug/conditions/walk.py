@@ -1,4 +1,4 @@
-"""The run executed once more, and its machine looked at on the way: at every instant asked for.
+"""The machine of a run, seen on the way through it: what histories must tell, told by itself.
 
 A fork for each instant would execute the run again and again. Nothing that is looked at changes:
 who asks has the machine's own arm, hand and signals, but variables and chance of its own.
@@ -149,6 +149,10 @@ class _Variables:
     def cells(self) -> list[Cell]:
         return self._held.cells()
 
+    @property
+    def size(self) -> int:
+        return self._held.size
+
 
 class _Chance:
     """What the programs share, with chance and counts of its own."""
@@ -158,6 +162,7 @@ class _Chance:
         self.clock_reads = 0
         self.random_state, self.draws = system.random_state, system.draws
         self.outside = None
+        self.facts = None
         self.timers: Mapping[int, float] = system.timers
         self.programs = system.programs
 
