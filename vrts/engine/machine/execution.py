@@ -13,7 +13,7 @@ from vrts.engine.machine.reacting import catch, react
 from vrts.engine.memory.events import Cause
 from vrts.engine.memory.records import INSTANT, Ending
 from vrts.engine.programs.context import Context
-from vrts.engine.programs.cycles import next_cycle, rest, tell
+from vrts.engine.programs.cycles import next_cycle, note_blocked, rest, tell
 from vrts.engine.programs.outside import Undecided
 
 
@@ -96,8 +96,8 @@ def run_frame(machine: Machine, c: Context, left: int) -> int:
                 if c.reactions_wait:
                     break  # one may be taken now
             elif outcome == BLOCKED:
-                if c.phase and c.system.facts is not None:
-                    c.system.facts.blocked(c.wake, robot=c.is_robot)
+                if c.phase and (c.process.frames or not c.is_robot):  # else nobody can ask
+                    note_blocked(c, c.now, finished)
                 trace.instructions.pop()
                 finished -= 1
                 c.finished = finished

@@ -101,22 +101,18 @@ class Facts:
         (self.robot if robot else self.process).turn(*self.now(), told)
         self.looked(robot=robot)
 
-    def blocked(self, wake_s: float, *, robot: bool) -> None:
-        """Note that a program is blocked amid a step, and when it is looked at again [s]."""
-        (self.robot_wakes if robot else self.process_wakes).note(*self.now(), wake_s)
-
     def looked(self, *, robot: bool) -> None:
         """Note that a program is looked at now."""
         wakes = self.robot_wakes if robot else self.process_wakes
         if wakes.values and wakes.values[-1]:
             wakes.note(*self.now(), 0.0)
 
-    def timer(self, number: int, zero_s: float, now: float, finished: int) -> None:
-        """Note, with the time [s] and the statement, at which time a timer stood at zero [s]."""
+    def timer(self, number: int) -> Track[float]:
+        """Return where it is noted at which times a timer stood at zero [s]."""
         track = self.timers.get(number)
         if track is None:
             track = self.timers[number] = Track(array("d"))
-        track.note(now, finished, zero_s)
+        return track
 
     # --- versions -----------------------------------------------------------------------------
 

@@ -282,13 +282,20 @@ class Planner:
         self.given.motions.pop()
         self.given.change_last(end_s=self.given.end_s, blended=False)
 
-    def hold(self, start_s: float, seconds: float) -> None:
-        """Stand still for a time, as DELAY does: a motion to nowhere."""
+    def hold(self, start_s: float, seconds: float, number: int) -> None:
+        """Stand still for a time, as DELAY does: a motion to nowhere.
+
+        Args:
+            start_s: Run time at which it begins [s]; the arm stands still then.
+            seconds: How long it lasts at least [s].
+            number: Statements that are finished when this one is.
+        """
         ticks = math.ceil(max(seconds, 0.0) / self.arm.tick - TICK_TOLERANCE)
         self.hold_until = start_s + ticks * self.arm.tick
         self.leg = None
         if self.facts is not None:
-            self.facts.end(self.motion_end, 0.0)
+            end_s = self.hold_until if ticks else self.motion_end
+            self.facts.ends.note(start_s, number, end_s)
 
     def brake(self, now: float) -> bool:
         """Slow down to rest along the path and give the motion up; return whether one was cut."""

@@ -33,6 +33,20 @@ def tell(c: Context) -> None:
         facts.executes(told, robot=c.is_robot)
 
 
+def note_blocked(c: Context, now: float, number: int) -> None:
+    """Note that a program is blocked amid a step.
+
+    Args:
+        c: The program.
+        now: Time of the tick [s].
+        number: Statements that will be finished when that step is.
+    """
+    facts = c.system.facts
+    if facts is not None:
+        wakes = facts.robot_wakes if c.is_robot else facts.process_wakes
+        wakes.note(now, number, c.wake)
+
+
 def note_progress(c: Context, time_s: float | None = None) -> None:
     """Note cycles and priority of a program, where they change; by default now."""
     tell(c)
@@ -148,3 +162,5 @@ def _begin_cycle(c: Context, step: int) -> None:
     if c.is_robot:
         c.planner.settings = InForce()
         c.planner.tell_settings()
+    elif c.robot.phase:  # from now on somebody may ask whether it waits
+        note_blocked(c.robot, c.now, c.events.counted() + 1)

@@ -104,12 +104,13 @@ class MotionStepCompiler:
         def delay(c: Context) -> int:
             planner, counts = c.planner, c.planner.model.next_motion
             if counts.delay_uses_settings and c.phase == 0:
-                planner.take_settings()
+                if planner.settings.next:
+                    planner.take_settings()
                 c.phase = WAITED
             if not reached(c, planner.free_at):
                 return BLOCKED
             c.phase = 0
-            planner.hold(c.now, seconds(c))
+            planner.hold(c.now, seconds(c), c.finished)
             if counts.delay_moves_hand:
                 _begin_hand(c, c.now)
             return following

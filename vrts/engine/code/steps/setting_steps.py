@@ -42,6 +42,8 @@ class SettingStepCompiler:
         """Return the step of a setting."""
         if isinstance(instruction, ir.SetMonitorSpeed):
             return self._monitor_speed(instruction, following, cause)
+        if isinstance(instruction, ir.SetSpeed):
+            return self._speed(instruction, following)
         values = self._values(instruction, cause)
         scope = instruction.scope
 
@@ -49,25 +51,49 @@ class SettingStepCompiler:
             found, settings = values(c), c.planner.settings
             if scope is ir.Scope.ALWAYS:
                 settings.always = settings.always._replace(**found)  # type: ignore[arg-type]
+                c.planner.tell_settings()
             else:
                 settings.next.update(found)
-            c.planner.tell_settings()
             return following
 
         return keep
+
+    def _speed(self, instruction: ir.SetSpeed, following: int) -> Step:
+        unit, span = instruction.unit, span_of(instruction.value)
+        percent = self.expressions.real(instruction.value)
+        rotation = instruction.rotation
+        share = None if rotation is None else self.expressions.real(rotation)
+
+        def always(c: Context) -> int:
+            speed = positive(Speed(percent(c), unit), span)
+            turning = None if share is None else share(c)
+            settings = c.planner.settings
+            held = settings.always
+            if held.speed != speed or held.rotation != turning:
+                settings.always = held._replace(speed=speed, rotation=turning)
+                c.planner.tell_settings()
+            return following
+
+        def once(c: Context) -> int:
+            speed = positive(Speed(percent(c), unit), span)
+            turning = None if share is None else share(c)
+            kept, facts = c.planner.settings.next, c.planner.facts
+            kept["speed"], kept["rotation"] = speed, turning
+            if facts is not None:
+                track, value = facts.next_speeds, speed.value
+                if track.values[-1] != value:
+                    track.times.append(c.now)
+                    track.numbers.append(c.finished)
+                    track.values.append(value)
+            return following
+
+        return always if instruction.scope is ir.Scope.ALWAYS else once
 
     def _values(
         self, instruction: SettingInstruction, cause: Cause
     ) -> Callable[[Context], dict[str, object]]:
         e = self.expressions
         match instruction:
-            case ir.SetSpeed(value=value, unit=unit, rotation=rotation):
-                speed, span = e.real(value), span_of(value)
-                share = e.real(rotation) if rotation is not None else None
-                return lambda c: {
-                    "speed": positive(Speed(speed(c), unit), span),
-                    "rotation": share(c) if share is not None else None,
-                }
             case ir.SetAcceleration(acceleration=acceleration, deceleration=deceleration):
                 up = self._percent(acceleration, cause)
                 down = self._percent(deceleration, cause)
@@ -96,8 +122,8 @@ class SettingStepCompiler:
                 return lambda c: {"integration": on}
             case ir.SetTurns(multiple=multiple):
                 return lambda c: {"multiple": multiple}
-            case ir.SetMonitorSpeed():
-                raise ValueError("the monitor speed is no setting of motions")
+            case ir.SetMonitorSpeed() | ir.SetSpeed():
+                raise ValueError("speeds have steps of their own")
 
     def _percent(
         self, operand: Expression | None, cause: Cause

@@ -134,13 +134,17 @@ class SignalStepCompiler:
 
     def _set_timer(self, instruction: ir.SetTimer, following: int, cause: Cause) -> Step:
         number = self.expressions.real(instruction.number)
-        value = self.expressions.real(instruction.value)
+        value, span = self.expressions.real(instruction.value), cause.span
 
         def set_timer(c: Context) -> int:
-            which = integer(number(c), cause.span, 1, HIGHEST_TIMER, "timer")
-            zero_s = c.system.timers[which] = c.now - value(c)
-            if c.system.facts is not None:
-                c.system.facts.timer(which, zero_s, c.now, c.finished)
+            which, system = integer(number(c), span, 1, HIGHEST_TIMER, "timer"), c.system
+            now = c.now
+            zero_s = system.timers[which] = now - value(c)
+            if system.facts is not None:
+                track = system.facts.timers.get(which) or system.facts.timer(which)
+                track.times.append(now)
+                track.numbers.append(c.finished)
+                track.values.append(zero_s)
             return following
 
         return set_timer
