@@ -136,7 +136,8 @@ class Functions:
             _, first, which = np.unique(rows, axis=0, return_index=True, return_inverse=True)
             poses, times, finished = _listed(b, wanted), b.times.tolist(), b.finished.tolist()
             bits: list[float] = []
-            for k in first.tolist():
+            once: list[int] = first.tolist()
+            for k in once:
                 b.hear()
                 if b.unsure[k]:
                     bits.append(0.0)

@@ -4,14 +4,16 @@ import random
 
 import pytest
 
+from tests.support_engine import driven
 from tests.support_programs import compiled, robot_alone
 from vrts.debug.breakpoints import Breakpoint
 from vrts.debug.conditions.expression import Expressions
 from vrts.debug.conditions.hearing import Interrupted, nobody
 from vrts.debug.debugger import Debugger, Why
-from vrts.debug.passages import Instant
+from vrts.debug.passages import Instant, Passages
 from vrts.engine.controller import execute
 from vrts.engine.run import Run
+from vrts.ir.commands import StartProcess
 from vrts.lang.dialect import DIALECTS
 from vrts.scene.model import Scenario
 
@@ -161,3 +163,30 @@ def test_somebody_is_heard_between_blocks_and_it_goes_on_afterwards() -> None:
     stop = d.go_on()
     assert (stop.why, stop.text) == (Why.BREAKPOINT, "")
     assert d.state.variables["n"] == 19999.0
+
+
+LATE = """.PROGRAM main()
+ n = 1
+ DELAY 3
+ n = 2
+ DELAY 1
+.END
+.PROGRAM watch()
+ a = STATUS("main")
+.END
+"""
+
+
+def test_who_begins_while_the_other_one_is_blocked_is_told_that_it_waits() -> None:
+    starts = [(time_s, StartProcess("watch")) for time_s in (0.5, 1.0, 2.0, 3.5)]
+    run = driven(LATE, 5.0, *starts)
+    passages, known = Passages(run, process=True), Expressions(run, DIALECTS["val2"])
+    expression, asked = known.of('STATUS("main")'), 0
+    for k in range(passages.count):
+        if passages.cause(k).span.text.startswith("a ="):
+            asked += 1
+            before = int(passages.before[k])
+            at = Instant(run.history.time_of(before + 1), before)  # when it is executed
+            after = run.at_statement(before + 1).variables["a"]
+            assert expression.value(at, None, nobody, process=True) == after
+    assert (asked, expression.forks) == (len(starts), 0)

@@ -84,7 +84,7 @@ class SettingStepCompiler:
                 if track.values[-1] != value:
                     track.times.append(c.now)
                     track.numbers.append(c.finished)
-                    track.values.append(value)
+                    track.values.append(value)  # type: ignore[arg-type]
             return following
 
         return always if instruction.scope is ir.Scope.ALWAYS else once

@@ -144,7 +144,7 @@ class SignalStepCompiler:
                 track = system.facts.timers.get(which) or system.facts.timer(which)
                 track.times.append(now)
                 track.numbers.append(c.finished)
-                track.values.append(zero_s)
+                track.values.append(zero_s)  # type: ignore[arg-type]
             return following
 
         return set_timer
