@@ -268,9 +268,10 @@ def test_links_of_what_is_alike_lead_to_pairs_reports_and_back(
     view.page.goto(f"{server.page}files/staff/similarity.html")
     view.page.click("text=side by side")
     assert view.page.url.endswith("/files/staff/similarity/pair-001.html")
-    assert len(view.page.frames) == 3, "both replays"
-    for frame in view.page.frames[1:]:
-        assert frame.locator("#source, #replay, main").count() > 0
+    view.page.locator("iframe").nth(1).wait_for()
+    for number in range(2):
+        replay = view.page.frame_locator("iframe").nth(number)
+        replay.locator("#source, #replay, main").first.wait_for(state="attached")
     view.page.click("text=Report of s0001")
     assert view.page.url.endswith("/files/staff/students/s0001/report.html")
     view.page.go_back()
