@@ -87,3 +87,36 @@ def test_nothing_stands_in_the_way_of_anybody(board: tuple[Opened, Path, list[in
     view.page.locator("#marks tbody button").first.click()
     view.page.wait_for_selector("#student h3, #student-work p")
     assert faults(view, PHONE, dark=True) == []
+
+
+@pytest.mark.thorough
+def test_a_grade_book_is_saved_or_the_page_says_why_not(
+    board: tuple[Opened, Path, list[int]], tmp_path: Path
+) -> None:
+    view, _, _ = board
+    page = view.page
+    page.click("#grades-open")
+    assert page.is_disabled("#grades-go")
+    assert "marked/cans" in page.inner_text("#grades-why"), "nobody has said where it was marked"
+    page.select_option("#grades-assignment", "pick-3")
+    course = tmp_path / "course" / "course.toml"
+    course.write_text(course.read_text("utf-8") + 'marked = "marked"\n', encoding="utf-8")
+    page.wait_for_selector("#grades-go:enabled")
+    assert not page.is_visible("#grades-said")
+    page.select_option("#grades-assignment", "pick-1")
+    assert page.is_disabled("#grades-go")
+    page.click("#grades-close")
+    page.click("#grades-open")
+    assert page.input_value("#grades-assignment") == "pick-3", "the one that is marked"
+    page.select_option("#grades-to", "moodle")
+    page.click("#grades-go")
+    assert page.inner_text("#grades-why") == "Choose the file that you exported there."
+    page.select_option("#grades-to", "csv")
+    page.click("#grades-go")
+    page.wait_for_selector("#grades-words:not([hidden])")
+    assert page.inner_text("#grades-why") == "Nothing was exported."
+    assert page.inner_text("#grades-words").strip(), "nothing was marked there yet"
+    for wide, dark in ((WIDE, False), (PHONE, True)):
+        assert faults(view, wide, dark=dark) == []
+    page.keyboard.press("Escape")
+    assert not page.is_visible("#grades")

@@ -22,6 +22,20 @@ PAGES = "tests/browser/test_course_pages.py"
 
 COURSE: tuple[Patch, ...] = (
     Patch(
+        "the board exports final marks to whoever is in the course",
+        "vrts/course/front/board_pages.py",
+        "            return refused(*REFUSED)\n        wanted = await read_body(request, Wanted",
+        "            pass\n        wanted = await read_body(request, Wanted",
+        ("tests/unit/course/board/test_grade_book.py",),
+    ),
+    Patch(
+        "the board exports unsafe marks though nobody takes them",
+        "vrts/course/board/grade_book.py",
+        "        if wanted.despite:\n",
+        "        if True:\n",
+        ("tests/unit/course/board/test_grade_book.py",),
+    ),
+    Patch(
         "on a phone the list of people goes on beyond the edge",
         "vrts/web/course/people/people.css",
         "@media (max-width: 760px) {",

@@ -29,6 +29,7 @@ class Column(NamedTuple):
     opens: float = 0.0  # Unix time [s]; 0: it is open
     due: float = 0.0  # Unix time [s]; 0: there is no deadline
     best: bool = False  # whether the best attempt counts, and not the last
+    marked: bool = False  # whether the course says where its marking is
 
 
 class Presence(NamedTuple):
@@ -155,6 +156,7 @@ def _column(
         sum(row.cells[k].tries > 0 for row in rows),
         sum(total > 0.0 and mark >= total for mark in given),
         round(sum(given) / len(given), 2) if given else None,
+        column.marked,
     )
 
 

@@ -15,6 +15,7 @@ class ColumnTold(msgspec.Struct, frozen=True):
     begun: int  # students who have handed in
     full: int  # of them, who have full marks
     mean: float | None  # of the marks that count
+    marked: bool = False  # whether the course says where its marking is
 
 
 class CellTold(msgspec.Struct, frozen=True, omit_defaults=True):

@@ -12,13 +12,14 @@ from starlette.routing import BaseRoute, Route
 from vrts.check.task.late_rules import Keep
 from vrts.course.board.board import Column, Presence, board, work_of
 from vrts.course.board.changed import changed
+from vrts.course.board.grade_book import LONGEST_FILE, Refusal, Wanted, grade_book
 from vrts.course.board.table import marks_csv
 from vrts.course.board.told import BoardTold, WaitTold
 from vrts.course.facts import Facts, facts_of_all, unix
 from vrts.course.front.own_page import OwnPage
 from vrts.course.people.watching import WatchedPeople
 from vrts.desk.front.events import Events
-from vrts.live.front.bodies import JSON, as_json
+from vrts.live.front.bodies import JSON, as_json, read_body
 from vrts.live.front.guard import refused
 from vrts.live.front.http import Pages
 from vrts.live.front.static_files import content
@@ -30,6 +31,9 @@ from vrts.live.store.course.attempts import Attempt, all_attempts, attempts_of, 
 from vrts.live.store.course.people import Person, people, person_of
 from vrts.live.store.database import Connection
 
+LONGEST_BODY: Final = 4 * LONGEST_FILE // 3 + 4096  # bytes of a request with a file in base64
+NOT_MARKED: Final = "the course does not say where this assignment was marked"
+MARKED_HELP: Final = 'name the folder in `course.toml`, such as `marked = "marked/cans"`'
 REFUSED: Final = (403, "role", "only those who teach the course see its board")
 
 
@@ -52,6 +56,7 @@ class BoardPages:
         self._events = Events()
         self._read: _Read | None = None
         self._making = asyncio.Lock()
+        self._exporting = asyncio.Lock()  # one at a time
 
     def routes(self) -> Sequence[BaseRoute]:
         """Return its pages."""
@@ -60,6 +65,7 @@ class BoardPages:
             Route("/course/board/now", self.now),
             Route("/course/board/events", self.events),
             Route("/course/board/marks.csv", self.marks),
+            Route("/course/board/grades", self.grades, methods=["POST"]),
             Route("/course/board/student/{account:int}", self.student),
         )
 
@@ -120,6 +126,26 @@ class BoardPages:
         headers = {"content-disposition": f'attachment; filename="{name}.csv"'}
         return Response(data, headers=headers, media_type="text/csv")
 
+    async def grades(self, request: Request) -> Response:
+        """Return final marks as `vrts grade export` writes them, or what it says against it."""
+        if await self._teacher(request) is None:
+            return refused(*REFUSED)
+        wanted = await read_body(request, Wanted, longest=LONGEST_BODY, what="file")
+        if isinstance(wanted, Response):
+            return wanted
+        known = {one.id: one.marked for one in self._people.course.assignments}
+        marked = known.get(wanted.assignment)
+        if marked is None:
+            return refused(404, "assignment", NOT_MARKED, MARKED_HELP)
+        try:
+            async with self._exporting:
+                found = await grade_book(marked, wanted, self._hub.settings.folder)
+        except OSError as problem:
+            return refused(507, "export", f"nothing could be exported: {problem.strerror}")
+        if isinstance(found, Refusal):
+            return refused(409, found.code, found.text)
+        return Response(found, media_type="text/csv")
+
     async def _made(self) -> BoardTold:
         """Return the board of now; it is made again where something has changed."""
         async with self._making:
@@ -168,4 +194,5 @@ def _rows(connection: Connection) -> tuple[list[Person], list[Attempt]]:
 
 def _column(facts: Facts) -> Column:
     id_, opens, due = facts.assignment.id, unix(facts.opens), unix(facts.due)
-    return Column(id_, facts.title, opens, due, facts.keep is Keep.BEST)
+    marked = facts.assignment.marked is not None
+    return Column(id_, facts.title, opens, due, facts.keep is Keep.BEST, marked)

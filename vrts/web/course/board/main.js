@@ -3,6 +3,7 @@
 import { byId, write } from "../../live/dom.js";
 import { applyTheme, chosenTheme } from "../../live/themes.js";
 import { Causes } from "./causes.js";
+import { Grades } from "./grades.js";
 import { Marks } from "./marks.js";
 import { showStudent } from "./student.js";
 import { showWaits } from "./waits.js";
@@ -14,6 +15,7 @@ const EVERY = 30_000; // [ms] in which times such as "5 min" are written anew
 let board = null;
 let behind = 0; // [s] of this machine's clock against the server's
 const marks = new Marks({ student: (id) => board && void showStudent(id, board) });
+const grades = new Grades();
 const causes = new Causes((students) => marks.narrow(students));
 
 function show() {
@@ -24,6 +26,7 @@ function show() {
   write(byId("counted"), `${counted(board.students.length, "student")}, ${here} here`);
   marks.show(board);
   causes.show(board);
+  grades.show(board.columns);
   tick();
   byId("alone").hidden = true;
   byId("main").hidden = false;

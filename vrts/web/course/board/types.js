@@ -2,7 +2,7 @@
 
 /**
  * @typedef {{id: string, title: string, opens: number, due: number, total: number, counts: "best" | "latest", begun: number,
- *   full: number, mean: number | null}} Column
+ *   full: number, mean: number | null, marked?: boolean}} Column
  * @typedef {{tries?: number, mark?: number, last?: number, at?: number, state?: string, late?: string, cause?: string, same?: number}} Cell
  * @typedef {{id: number, name: string, key: string, team: string, listed: boolean, room: string, cells: Cell[]}} Student
  * @typedef {{key: string, assignment: string, words: string, points: number, students: number[], stuck: number}} Cause
