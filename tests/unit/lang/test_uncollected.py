@@ -16,6 +16,7 @@ RIGHT = ".PROGRAM main\nFOR i = 1 TO 3\nTYPE i*2\nEND\n.END\n"
 
 @pytest.fixture
 def collector() -> Iterator[None]:
+    gc.unfreeze()  # what was loaded for all tests
     gc.collect()
     yield
     gc.unfreeze()
