@@ -1,5 +1,6 @@
 """Where a program passed: every statement it executed, and the instants at which steps begin."""
 
+from collections.abc import Iterator, Mapping
 from functools import cached_property
 from typing import NamedTuple
 
@@ -12,6 +13,7 @@ from vrts.engine.memory.trace import Activation
 from vrts.engine.run import Run
 
 _CHUNK = 1024  # statements that are looked at in one go
+_PART = 20_000  # calls and returns that are looked at between two yields
 
 
 class Instant(NamedTuple):
@@ -71,10 +73,26 @@ class Passages:
     @cached_property
     def depths(self) -> NDArray[np.int64]:
         """How many programs called each other when each was executed."""
-        trace = self._program.trace
-        depths = np.asarray([0, *(_depth(activation) for activation in trace.activations)])
-        changed = np.frombuffer(trace.changed, np.uint32)
-        found: NDArray[np.int64] = depths[np.searchsorted(changed, self.before, side="right")]
+        return self._depths([depth for part in self._depths_noted() for depth in part])
+
+    def _depths_noted(self) -> Iterator[list[int]]:
+        """Yield how many programs call each other whenever that changes, part by part."""
+        activations = self._program.trace.activations
+        known: dict[int, int] = {id(None): 0}  # by identity: they stay as long as their run
+        yield [0]
+        for first in range(0, len(activations), _PART):
+            found: list[int] = []
+            for activation in activations[first : first + _PART]:
+                depth = known.get(id(activation))
+                if depth is None:
+                    depth = known[id(activation)] = _depth(activation, known)
+                found.append(depth)
+            yield found
+
+    def _depths(self, noted: list[int]) -> NDArray[np.int64]:
+        changed = np.frombuffer(self._program.trace.changed, np.uint32)
+        places = np.searchsorted(changed, self.before, side="right")
+        found: NDArray[np.int64] = np.asarray(noted, np.int64)[places]
         return found
 
     @cached_property
@@ -90,6 +108,19 @@ class Passages:
         steps, depths = step[self.instructions], self.depths
         other = (np.diff(steps, prepend=-1) != 0) | (np.diff(depths, prepend=0) != 0)
         return first[self.instructions] | other
+
+    def in_parts(self) -> Iterator[None]:
+        """Work out where steps begin; yield now and then, so that somebody can be heard."""
+        yield
+        if "depths" not in self.__dict__:
+            noted: list[int] = []
+            for part in self._depths_noted():
+                noted += part
+                yield
+            self.__dict__["depths"] = self._depths(noted)  # as the property keeps it
+            yield
+        _ = self.begins
+        yield
 
     @cached_property
     def begun(self) -> NDArray[np.int64]:
@@ -155,9 +186,11 @@ def last_instant(run: Run) -> Instant:
     return at_time(run, run.horizon_s)
 
 
-def _depth(activation: Activation | None) -> int:
+def _depth(activation: Activation | None, known: Mapping[int, int]) -> int:
     depth = 0
     while activation is not None:
+        if id(activation) in known:
+            return depth + known[id(activation)]
         depth += 1
         activation = activation.caller
     return depth

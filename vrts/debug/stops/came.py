@@ -134,6 +134,8 @@ class Place:
                     counted.append(k)
                     continue
                 hit += 1
+                if hit % OFTEN == 0:
+                    look.heard()
                 if counts(self._hits, hit):
                     counted.append(k)
             self._counted = counted
@@ -201,7 +203,8 @@ def came_to(run: Run, both: Sequence[Passages], resolved: Resolved, hear: Hear) 
     """
     every: list[list[Came]] = []
     for passages in both:
-        hear()
+        for _ in passages.in_parts():
+            hear()
         numbers = np.asarray(passes(passages, resolved), np.int64)
         hear()
         if len(numbers):

@@ -17,6 +17,7 @@ from vrts.engine.memory.trace import Activation
 from vrts.engine.run import Run
 from vrts.ir.values import Value
 from vrts.lang.dialect import Dialect
+from vrts.lang.uncollected import uncollected
 
 MOST_TEXTS = 4  # alarms of one instant that are told
 
@@ -35,7 +36,11 @@ class _Wished(NamedTuple):
 
 
 class Stops:
-    """The stops of one run; what was worked out is remembered."""
+    """The stops of one run; what was worked out is remembered.
+
+    A full pass of the garbage collector over a long run takes longer than anybody may wait to be
+    heard, so it is held back meanwhile.
+    """
 
     def __init__(
         self,
@@ -50,6 +55,7 @@ class Stops:
         self._expressions = Expressions(run, dialect)
         self._places: dict[tuple[str, int, str, str], Place] = {}
 
+    @uncollected()
     def following(self, wishes: Wishes, at: Instant, hear: Hear) -> Stop | None:
         """Return the first stop after an instant.
 
@@ -61,6 +67,7 @@ class Stops:
         found += [stop for stop in self._alarmed(wishes) if stop.instant > at]
         return _joined(found, min(map(_when, found), default=at))
 
+    @uncollected()
     def before(self, wishes: Wishes, at: Instant, hear: Hear) -> Stop | None:
         """Return the last stop before an instant; raises as `following`."""
         look = Look(self._run, hear)
@@ -68,12 +75,14 @@ class Stops:
         found += [stop for stop in self._alarmed(wishes) if stop.instant < at]
         return _joined(found, max(map(_when, found), default=at))
 
+    @uncollected()
     def passing(self, point: Breakpoint, at: Instant, hear: Hear) -> Stop | None:
         """Return the first stop of one line after an instant; raises as `following`."""
         wished = self._of_line(point, hear)
         chosen = None if wished is None else wished.place.following(at, Look(self._run, hear))
         return None if wished is None or chosen is None else wished.stop(chosen)
 
+    @uncollected()
     def logged(
         self, points: Sequence[Breakpoint], begin: Instant, end: Instant, hear: Hear
     ) -> list[Logged]:
