@@ -16,7 +16,7 @@ from vrts.debug.frames import frames
 from vrts.debug.passages import Instant, instant_of
 from vrts.debug.values import FEW, variable
 from vrts.engine.memory.events import Cause, Printed
-from vrts.engine.memory.records import INSTANT, Ending
+from vrts.engine.memory.records import Ending
 from vrts.engine.run import Run
 from vrts.ir.values import Value
 from vrts.lang.dialect import Dialect
@@ -223,7 +223,7 @@ class Rehearsal:
             event.text
             for event, number in rows
             if isinstance(event, Printed)
-            and self.begin_s - INSTANT <= event.time_s <= at.time_s + INSTANT
+            and self.begin_s <= event.time_s <= at.time_s
             and number <= at.finished
         ]
         lines = "".join(texts[-10 * MOST_LINES :]).splitlines()[-MOST_LINES:]
