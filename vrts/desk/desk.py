@@ -78,7 +78,7 @@ class Desk:
             before = self.now()
             shown = self._remembered.of(body.expect)
             if shown is None:
-                raise Moved("the page shows what was long ago: load it again")
+                raise Moved("the page is out of date: load it again")
             _require_still(rests_on(asked), shown, facts_of(before.book))
             require_seen(asked, before.book.seen.hidden)
             said = completed(asked, shown)

@@ -35,10 +35,10 @@ def command(
 ) -> None:
     """Write a table with a personal link for everybody who has not come in yet.
 
-    A link works once, for 60 days: it leads to choosing a password. Who has a link that works, or a
-    password, gets none; `--again` makes a new one for somebody, by name or e-mail address, and ends
-    the one before. The server keeps digests only, so this table is the one place where the links
-    are: send them, and delete it. The server may run meanwhile.
+    A link works once, for 60 days: it leads to choosing a password. People who have a link that
+    works, or a password, get none. `--again` makes a new one for somebody, by name or e-mail
+    address, and ends the one before. The server keeps digests only, so nobody can read the links
+    there: send those in this table, and delete it. The server may run meanwhile.
     """
     from vrts.course.people.letters import NoSuchPerson, kept_address, letters, table_of, take_back
     from vrts.course.people.sources import read_people

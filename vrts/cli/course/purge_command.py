@@ -26,7 +26,9 @@ Examples:
 )
 @click.option("--mentions", is_flag=True, help="Also forget others' texts that hold the name.")
 @click.option(
-    "--still-listed", is_flag=True, help="Forget even who gets a new, empty account by the lists."
+    "--still-listed",
+    is_flag=True,
+    help="Forget also people who are on the list: they get a new, empty account.",
 )
 @file_option("--log-key", help="File with the key that signs the logs, outside of the folder.")
 @guarded
@@ -41,9 +43,9 @@ def command(
     """Forget a person in a course: account, hand-ins, marks, what was published for them.
 
     What a team handed in stays with the others of the team. The server may run meanwhile. Take the
-    person off the class list first: who stands on it would get a new account, so nothing is
-    forgotten then. What `vrts grade` wrote about the class lies elsewhere: `vrts grade purge`
-    forgets them there.
+    person off the class list first: the server makes a new account for everybody on it, so nothing
+    is forgotten while the name stands there. What `vrts grade` wrote about the class stays, and
+    this person in it: `vrts purge OUT --older-than 0d` deletes a whole marking.
     """
     from vrts.course.course_file import open_course
     from vrts.course.personal.forgetting import forget
@@ -79,4 +81,7 @@ def command(
         warn(f"{' and '.join(listed.places)} gives them a new, empty account as long as it stands")
     elif listed.fault and found.listed:
         warn(f"`{name}` may still be listed, and gets a new account then: {listed.fault}")
-    warn("what `vrts grade` wrote about the class keeps what it holds: `vrts grade purge`")
+    warn(
+        "what `vrts grade` wrote about the class stays, and this person in it:"
+        " `vrts purge OUT --older-than 0d` deletes a whole marking"
+    )

@@ -80,7 +80,7 @@ def despite_option() -> Option[Any]:
         type=click.Choice(DESPITE),
         multiple=True,
         metavar="REASON",
-        help="Export marks that are unsafe for this reason; `all` for any. Repeatable.",
+        help="Accept marks that are unsafe for this reason; `all` for any. Repeatable.",
     )
 
 

@@ -22,7 +22,7 @@ export class WorkList {
     /** @type {Map<string, HTMLElement>} */
     this.shown = new Map();
     this.floor = make("div", { class: "floor", role: "presentation" });
-    this.none = make("p", { class: "soft none", hidden: true, text: "No program is like this." });
+    this.none = make("p", { class: "soft none", hidden: true, text: "No program matches." });
     this.box.append(this.floor);
     this.box.after(this.none);
     this.filters();

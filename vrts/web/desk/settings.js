@@ -26,7 +26,7 @@ export function settings(desk) {
     box.hidePopover();
     const students = all ? [...desk.rows.keys()] : desk.listed.map((row) => row.id);
     if (!students.length) return;
-    const body = make("p", { text: "This takes a while, and can be stopped. Decisions stay; those about a program that is another one now do not count, and are shown." });
+    const body = make("p", { text: "This takes a while. You can stop it. Decisions stay. If a student has another program now, decisions about the old one do not count: the desk shows which." });
     if (await ask(`Mark ${counted(students.length, "program")} again?`, [body], "Mark again")) await desk.markAgain(all ? "all" : students);
   }
 }

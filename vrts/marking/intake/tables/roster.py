@@ -105,7 +105,7 @@ def enrolled(layout: Layout, roster: Roster) -> Layout:
         )
 
     if not any(number_of(hand_in) for hand_in in layout.hand_ins):
-        remark = f"the list of the class has ids of {platform}, the download has none: not used"
+        remark = "the list of the class is not used: nobody whose work is here is in it"
         return layout._replace(remarks=(*layout.remarks, remark))
     seen: set[str] = set()
     hand_ins: list[HandIn] = []

@@ -54,7 +54,7 @@ export class StatisticsView {
   checks(data) {
     if (!data.checks.length) return make("p", { class: "soft", text: "No check was made." });
     return make("div", {},
-      make("p", { class: "soft", text: "Discrimination, from −1 to 1: near 1, who passes this check does well elsewhere too; near 0 it tells nothing of that; below 0, look whether it asks for what you meant." }),
+      make("p", { class: "soft", text: "Discrimination, from −1 to 1: near 1, those who pass this check do well elsewhere too; near 0 it tells nothing of that; below 0, look whether it asks for what you meant." }),
       make("div", { class: "check-cards" }, ...data.checks.map((check) => make("article", { class: "check-card" },
         make("h3", {}, ...prose(check.title || check.id)),
         histogram(check.histogram, check.title || check.id, { small: true }),
@@ -89,7 +89,7 @@ function attempts(data, total) {
   if (rows.length < 2) return [];
   const [title, words, head] = marked ? ["Progress over attempts", "number of the attempt", "Attempt"] : ["Marks by number of hand-ins", "number of hand-ins", "Hand-ins"];
   return [section(title, progress(rows, total, words),
-    ...(marked ? [make("p", { class: "soft", text: "Computed marks, before lateness and changes by hand. Who handed in less often is missing in later attempts." })] : []),
+    ...(marked ? [make("p", { class: "soft", text: "Computed marks, before lateness and changes by hand. Students who handed in less often are missing in later attempts." })] : []),
     table(`By ${words}`, [head, "#Students", "#Mean", "#Median"], rows.map((row) => [String(row.number), String(row.count), mark(row.mean), mark(row.median)])))];
 }
 

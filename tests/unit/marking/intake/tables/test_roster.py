@@ -107,7 +107,9 @@ def test_a_list_of_another_platform_is_not_used(tmp_path: Path) -> None:
     place = put(tmp_path / "d", {f"{ANNA}/pick.v2": PICK})
     found = take_in(place, program=None, roster=read_roster(GRADE_BOOK, "g.csv", None))
     assert [row.identifier for row in found.rows] == ["Anna-Berger-101"]
-    assert "has ids of canvas, the download has none" in found.remarks[0]
+    assert found.remarks[0] == (
+        "the list of the class is not used: nobody whose work is here is in it"
+    )
 
 
 @pytest.mark.parametrize("data", [b"", b"a,b\n1,2\n", PICK])
