@@ -84,8 +84,7 @@ class OwnVariants:
         if given.problem:
             return written._replace(problem=given.problem)
         own = Own(Path(given.task), given.tag)
-        for one in members:  # all of a team have it now
-            self._known[assignment.id, one.account] = (stamp, own)
+        self._known[assignment.id, account] = (stamp, own)
         return own
 
 
@@ -108,9 +107,10 @@ def members_of(connection: Connection, account: int, assignment: Assignment) -> 
 
 
 def _stamps(assignment: Assignment, roster: Path) -> tuple[object, ...]:
+    of_task = task_stamp(assignment.task)
     with suppress(OSError):
-        return task_stamp(assignment.task), roster.stat().st_mtime_ns
-    return task_stamp(assignment.task), None
+        return of_task, roster.stat().st_mtime_ns
+    return of_task, None
 
 
 def _called(person: Person) -> Called:

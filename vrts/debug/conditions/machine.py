@@ -45,7 +45,7 @@ class Keys:
         """Take the time between two ticks [s]."""
         self._tick = tick_s
 
-    def of_block(self, b: Block, ahead: int = 0) -> Wholes:
+    def of_block(self, b: Block, ahead: "int | Wholes" = 0) -> Wholes:
         """Return those of the instants of a block, so many statements later."""
         ticks = np.floor(b.times / self._tick + INSTANT / self._tick).astype(np.int64)
         later = b.times - ticks * self._tick > INSTANT  # within a tick, after all of it
@@ -67,7 +67,7 @@ class Changes:
         self._known = keys.of_track(track)
         self.numbers = np.array([0, *track.numbers], np.int64)  # the first one: before any change
 
-    def places(self, b: Block, ahead: int = 0) -> Wholes:
+    def places(self, b: Block, ahead: "int | Wholes" = 0) -> Wholes:
         """Return how many changes there were at each instant."""
         return np.searchsorted(self._known, self._keys.of_block(b, ahead), side="right")
 
@@ -78,15 +78,16 @@ class Machines:
     def __init__(self, run: Run, facts: Facts) -> None:
         """Take a run, and what was noted of its machine."""
         self._run, self._facts, self._keys = run, facts, Keys(run.history.tick_s)
-        self._reals: dict[int, tuple[Changes, Reals]] = {}
+        self._reals: dict[int, tuple[object, Changes, Reals]] = {}
 
     def _real(self, b: Block, track: "Track[float]", before: float = np.nan) -> Reals:
         known = self._reals.get(id(track))
         if known is None:
             changes = Changes(cast("Track[object]", track), self._keys)
             values = np.array([before, *track.values], np.float64)
-            known = self._reals[id(track)] = changes, values
-        changes, values = known
+            # the track is kept with them: no other one gets its `id` meanwhile
+            known = self._reals[id(track)] = track, changes, values
+        _, changes, values = known
         return values[changes.places(b)]
 
     # --- chance and time ----------------------------------------------------------------------
@@ -153,10 +154,13 @@ class Machines:
         at = self.aims(b)
         return pose_of(tuple([column[at] for column in self._dest_columns]))
 
+    @cached_property
+    def _dests(self) -> list[Configuration | None]:
+        return [None, *(aim.dest for aim in self._aim_list)]
+
     def dest_joints(self, b: Block) -> list[Configuration | None]:
         """Return #DEST at each instant [rad]."""
-        known = [None, *(aim.dest for aim in self._aim_list)]
-        return [known[k] for k in self.aims(b).tolist()]
+        return [self._dests[k] for k in self.aims(b).tolist()]
 
     def turns(self, b: Block) -> Reals:
         """Return whether joints 4 and 6 may go beyond half a turn."""
@@ -249,7 +253,7 @@ class _Program:
         """Return whether it is blocked amid a step, and not looked at again yet."""
         # the robot program has its turn before the other one asks
         ahead = np.where(b.process, 1, 0)
-        at = self._wakes.places(b, ahead)  # type: ignore[arg-type]
+        at = self._wakes.places(b, ahead)
         same = self._executed(b.finished) == self._executed(self._wakes.numbers[at] - 1)
         return (self._until[at] > b.times) & same
 

@@ -122,7 +122,8 @@ class _Variables:
 class _Program:
     """One of the two programs in execution."""
 
-    frames, ending = (), Ending.RUNNING
+    ending = Ending.RUNNING
+    phase = True  # `wake` tells whether it is blocked
 
     def __init__(self, past: Past, *, robot: bool) -> None:
         self._past, self._is_robot = past, robot
@@ -136,30 +137,33 @@ class _Program:
     @property
     def program(self) -> str:
         """Which one was run last."""
-        told = self.told
-        self.running = told.running
-        self.frames = (told,) if told.kept else ()
-        return told.program
-
-    running = False
+        return self.told.program
 
     @property
-    def phase(self) -> bool:
-        """Whether it is blocked amid a step, and is another one than the program that asks."""
+    def running(self) -> bool:
+        """Whether it runs."""
+        return self.told.running
+
+    @property
+    def frames(self) -> tuple[Executed, ...]:
+        """Where it may go on: nowhere, or in one program."""
+        return (self.told,) if self.told.kept else ()
+
+    @property
+    def wake(self) -> float:
+        """Until when it is blocked amid a step [s]; 0 where it is not, or asks itself."""
         past, facts = self._past, self._past.told
-        if past.asks_process is not self._is_robot:
-            return False
+        itself = past.asks_process is not self._is_robot
+        if itself:
+            return 0.0
         wakes = facts.robot_wakes if self._is_robot else facts.process_wakes
         # the robot program has its turn before the other one asks
         k = wakes.count(past.now, past.finished + self._is_robot)
         history = past.run.history
         trace = (history.robot if self._is_robot else history.process).trace
         if not k or trace.executed(past.finished) != trace.executed(wakes.numbers[k - 1] - 1):
-            return False
-        self.wake = wakes.values[k - 1]
-        return True
-
-    wake = 0.0
+            return 0.0
+        return wakes.values[k - 1]
 
 
 class _Signals:

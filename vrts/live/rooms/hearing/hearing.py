@@ -73,35 +73,7 @@ class Hearing:
                     learn_bodies(room, message, whole=True)
                     room.show(State(room.session, room.scene_url, _RAW(message)))
             case "ready":
-                room.task = msgspec.json.decode(head.task, type=str) if head.task else ""
-                scene = hashlib.sha256(process.scene).hexdigest()
-                slept = process.start.slept
-                room.rest, room.resting_in, room.woken = "awake", "", False
-                if head.carried_s is None:
-                    end_stopped(self._hub, room)
-                    room.logged = 0
-                    room.recorded.clear()
-                    room.notes.clear()
-                    room.came = {member.account.id for member in room.members.values()}
-                    what: dict[str, object] = {"scene": room.kept.scene, "scene_sha256": scene}
-                    what |= {"controller": head.controller}
-                    what |= {"controller_sha256": head.controller_sha256}
-                    record(self._hub, room, "begin", None, {**what, "vrts": __version__})
-                else:
-                    room.stop_lasts = room.stopped is not None
-                    what = {"at_s": head.carried_s, "vrts": __version__}
-                    record(self._hub, room, "wake" if slept else "carry_on", None, what)
-                    if not room.notes:
-                        self._hub.spawn(remember_notes(self._hub, room))
-                own = Path(process.start.folder)
-                self._hub.spawn(asyncio.to_thread(empty_earlier, own, room.id))
-                if head.anew:
-                    self._hub.spawn(announce_anew(self._hub, room, head.anew))
-                self._hub.rooms_changed(room)
-                process.first_snapshot = process.ask_snapshot()
-                if slept:
-                    room.show(NoSession())
-                self._give_held(room, process)
+                self._ready(room, process, head)
             case "failed" | "exported":
                 pass  # `SessionProcess.failure` has it; nobody asked for an export
             case _:
@@ -111,6 +83,41 @@ class Hearing:
                     learn_bodies(room, message, whole=False)
                 number = room.next_number()
                 room.tell(Happened(number, _RAW(message)), number)
+
+    def _ready(self, room: Room, process: SessionProcess, head: Head) -> None:
+        """Begin to show a session: one that begins, or one that goes on where it was."""
+        room.task = msgspec.json.decode(head.task, type=str) if head.task else ""
+        slept = process.start.slept
+        room.rest, room.resting_in, room.woken = "awake", "", False
+        if head.carried_s is None:
+            end_stopped(self._hub, room)
+            room.logged = 0
+            room.recorded.clear()
+            room.notes.clear()
+            room.came = {member.account.id for member in room.members.values()}
+            begun: dict[str, object] = {
+                "scene": room.kept.scene,
+                "scene_sha256": hashlib.sha256(process.scene).hexdigest(),
+                "controller": head.controller,
+                "controller_sha256": head.controller_sha256,
+                "vrts": __version__,
+            }
+            record(self._hub, room, "begin", None, begun)
+        else:
+            room.stop_lasts = room.stopped is not None
+            carried: dict[str, object] = {"at_s": head.carried_s, "vrts": __version__}
+            record(self._hub, room, "wake" if slept else "carry_on", None, carried)
+            if not room.notes:
+                self._hub.spawn(remember_notes(self._hub, room))
+        own = Path(process.start.folder)
+        self._hub.spawn(asyncio.to_thread(empty_earlier, own, room.id))
+        if head.anew:
+            self._hub.spawn(announce_anew(self._hub, room, head.anew))
+        self._hub.rooms_changed(room)
+        process.first_snapshot = process.ask_snapshot()
+        if slept:
+            room.show(NoSession())
+        self._give_held(room, process)
 
     def _give_held(self, room: Room, process: SessionProcess) -> None:
         """Give the commands that came while the room was asleep, as their people gave them."""

@@ -55,6 +55,8 @@ if sys.platform != "win32":
 
         def take(self) -> bool:
             """Take a turn; return whether there is one, which one has until it is given back."""
+            if self._mine is not None:
+                return True
             for place in range(self._count):
                 with suppress(BlockingIOError, PermissionError):  # another one has it
                     fcntl.lockf(self._descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB, 1, place)

@@ -21,17 +21,18 @@ pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="nothing is fork
 
 
 @contextmanager
-def taken(file: int) -> Generator[None]:
-    """Have another process take the first turn; it ends without giving it back."""
+def taken(file: int, count: int = 1) -> Generator[None]:
+    """Have another process take the first free turn; it ends without giving it back."""
     told, tell = os.pipe()
     heard, hear = os.pipe()
     pid = os.fork()
     if pid == 0:
         os.close(hear)
-        os.write(tell, b"y" if FileTurns(file, 1).take() else b"n")
+        os.write(tell, b"y" if FileTurns(file, count).take() else b"n")
         os.read(heard, 1)  # until the other end is closed
         os._exit(0)
     os.close(heard)
+    os.close(tell)  # so that it is heard when the other process ends without a word
     try:
         assert os.read(told, 1) == b"y"
         yield
@@ -39,7 +40,6 @@ def taken(file: int) -> Generator[None]:
         os.close(hear)
         os.waitpid(pid, 0)
         os.close(told)
-        os.close(tell)
 
 
 def test_a_turn_is_had_until_it_is_given_back_or_who_has_it_ends() -> None:
@@ -53,6 +53,17 @@ def test_a_turn_is_had_until_it_is_given_back_or_who_has_it_ends() -> None:
         one.give_back()
         with taken(file.fileno()):
             pass
+
+
+def test_who_takes_a_turn_twice_has_one() -> None:
+    with tempfile.TemporaryFile() as file:
+        two = FileTurns(file.fileno(), 2)
+        with taken(file.fileno()):
+            assert two.take(), "the second one"
+        assert two.take(), "which it still has, though the first one is free now"
+        two.give_back()
+        with taken(file.fileno(), 2), taken(file.fileno(), 2):
+            assert not two.take(), "others have both"
 
 
 @pytest.mark.thorough
