@@ -14,11 +14,10 @@ from vrts.engine.memory.events import Cause
 from vrts.engine.memory.facts import Aim, Facts
 from vrts.engine.memory.records import INSTANT, Motion
 from vrts.engine.motion.advice import Advice
-from vrts.engine.motion.corner import Leg, fits, half_width, round_corner
+from vrts.engine.motion.corner import Leg
 from vrts.engine.motion.given import Given
 from vrts.engine.motion.lines.faults import advise
-from vrts.engine.motion.lines.set_points import Piece
-from vrts.engine.motion.pending import Pending
+from vrts.engine.motion.pending import Pending, joined
 from vrts.engine.motion.plan import Intent, Planned, from_rest
 from vrts.engine.motion.profile import TICK_TOLERANCE
 from vrts.engine.motion.remarks import Overspeed, Remark, Told
@@ -219,31 +218,16 @@ class Planner:
         leg = self.leg
         if leg is None or self.pending is not None or self.braking_until > now:
             return False
-        if intent.goal_branch is not None and intent.goal_branch != intent.start_branch:
+        found = joined(leg, intent, self.given, self.arm, self.tool, self.scale.path(now))
+        if found is None:
             return False
-        if intent.takes_no_time and self.model.pace.no_length is NoLength.NO_TIME:
-            return False
-        half = half_width(leg, intent, self.arm)
-        start = leg.arrival - half
-        if self.scale.path(now) > start + INSTANT or not fits(leg, intent, half):
-            return False
-        state = (self.given.at(start), self.given.rate(start))
-        corner = round_corner(self.arm, self.tool, leg, intent, state)
-        if corner is None or corner.branch[:2] != intent.start_branch[:2]:
-            return False
+        start, corner = found.start_s, found.corner
         replaced = self.given.cut(start)
         self.given.change_last(end_s=start, blended=True)
         end = corner.pieces[-1][1]
         motion = self._motion(intent, start, end, corner.goal, corner.deviation_m, cause)
         self.given.add(motion, corner.pieces)
-
-        def again(slower: Intent) -> list[Piece] | None:
-            if not fits(leg, slower, half):
-                return None
-            other = round_corner(self.arm, self.tool, leg, slower, state)
-            return None if other is None else other.pieces
-
-        plannings = (again, self.advice.whole(self.tool))
+        plannings = (found.slower, self.advice.whole(self.tool))
         fast = self.advice.on_overspeed(intent, corner.pieces, self.scale.rate, plannings)
         self._remark(fast, corner.remarks)
         self.pending = Pending(start, corner, target, intent, replaced)

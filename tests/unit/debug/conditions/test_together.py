@@ -49,7 +49,7 @@ def alone(d: Debugger, text: str, places: Sequence[tuple[Instant, Activation | N
 @pytest.mark.parametrize("seed", first(1, range(8)))
 def test_many_instants_together_give_what_each_gives_alone(seed: int) -> None:
     d, chance = there(), random.Random(seed)
-    compared = 0
+    asked = compared = 0
     for number in range(24):
         text = CERTAIN[number] if number < len(CERTAIN) else expression(chance, 2)
         process = chance.random() < 0.2
@@ -61,8 +61,9 @@ def test_many_instants_together_give_what_each_gives_alone(seed: int) -> None:
         lanes = np.flatnonzero(sure).tolist()
         wanted = alone(d, text, [(instants[k], activations[k]) for k in lanes])
         assert [repr(v) for v in reals[lanes].tolist()] == wanted, text
+        asked += len(instants)
         compared += len(lanes)
-    assert compared > 500
+    assert compared > 0.35 * asked, "many of those that were drawn mean something"
 
 
 def test_many_log_points_together_write_what_each_writes_alone() -> None:
