@@ -72,7 +72,7 @@ def with_best_attempts(
         ]
         number = best(worth)
         attempt = tried[names[number]][1]
-        why = f"{BEST_OF} {len(names)} attempts, number {number + 1}"
+        why = f"{BEST_OF} {len(names)} attempts, number {number + 1}{_as_good(worth, number)}"
         if rules is not None and rules.is_exam:
             why = f"{why}; {row.why}"
         chosen[row.identifier] = replace(
@@ -85,6 +85,12 @@ def with_best_attempts(
             tried=tuple(Tried(*tried[name][1], results[name].mark) for name in names),
         )
     return tuple(chosen.get(row.identifier, row) for row in found)
+
+
+def _as_good(worth: Sequence[Marks], chosen: int) -> str:
+    """Return which attempts are worth as much as the chosen one, in words; "" for none."""
+    alike = [str(k + 1) for k, one in enumerate(worth) if k != chosen and one == worth[chosen]]
+    return f", as good as {' and '.join(alike)}: the first of these" if alike else ""
 
 
 def _worth(

@@ -26,6 +26,7 @@ from vrts.marking.class_marks import (
     nothing_late,
     with_best_attempts,
 )
+from vrts.marking.intake.clock import settled, zone_of
 from vrts.marking.intake.exam import counted
 from vrts.marking.intake.row import Intake, Kind
 from vrts.marking.intake.row import Row as Found
@@ -255,9 +256,10 @@ def take_in_class(
         CannotRead: The table or the list is not there.
         Refused: The table has errors.
     """
-    zone = how.zone or (None if task.late is None else task.late.due.tzinfo)
+    zone = how.zone or zone_of(task.late)
     roster = how.roster and read_roster(read_bytes(how.roster), how.roster.name, zone)
     intake = take_in_tree(tree, program=task.program, zone=zone, roster=roster)
+    intake = settled(intake, task.late, zone)
     found, warnings = _as_edited(tree, intake, table)
     if how.only is not None:
         found = tuple(row for row in found if row.identifier in how.only)

@@ -61,6 +61,7 @@ def command(
     deadline in `due`, or `excused` as the problem. Its column `download` says which download it is
     about. If a table of another download is there, the new one is called NAME-intake.csv.
     """
+    from vrts.marking.intake.clock import settled, zone_of
     from vrts.marking.intake.tables.intake_table import write_rows
     from vrts.marking.intake.tables.own_table import place_of_table
     from vrts.marking.intake.tables.roster import read_roster
@@ -71,18 +72,14 @@ def command(
     if table.exists() and not overwrite:
         fail(f"`{table}` is there already", ("`--overwrite` writes it again; edits are lost",))
     asked = _task(task)
-    times = (
-        zone_named(zone)
-        if zone
-        else None
-        if asked is None or asked.late is None
-        else asked.late.due.tzinfo
-    )
+    rules = None if asked is None else asked.late
+    times = zone_named(zone) if zone else zone_of(rules)
     roster = (
         None if class_list is None else read_roster(read_bytes(class_list), class_list.name, times)
     )
     wanted = program or (None if asked is None else asked.program)
-    intake = take_in(place, program=wanted, zone=times, roster=roster)
+    found = take_in(place, program=wanted, zone=times, roster=roster)
+    intake = settled(found, rules, times)
     out(_text(intake))
     write_file(table, write_rows(intake.rows, delimiter, place.absolute().name))
     for remark in intake.remarks:

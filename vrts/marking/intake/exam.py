@@ -7,12 +7,15 @@ from typing import NamedTuple
 
 from vrts.base.diagnostic import Diagnostic, Rule, warning
 from vrts.check.task.late_rules import LateRules
+from vrts.marking.intake.layouts.canvas import called_by_canvas
 from vrts.marking.intake.row import Attempt, Kind, Row
+from vrts.marking.intake.tree.file_names import copy_of, same_name
 
 NOT_COUNTED = Rule("V879", "exam-hand-ins")
 
 SHOWN = 20  # students named in a warning
 LATEST_IS_NONE = "the latest hand-in is no program, and does not count"
+SAME_SECOND = "two came in the same second, and by their names one of them was taken for the first"
 UNKNOWN_ORDER = "nothing tells when each came, so which came first is not known"
 
 
@@ -30,6 +33,7 @@ class _Sorted(NamedTuple):
     early: int
     late: int
     more: int  # in time, and beyond those that count
+    at_once: bool  # the first of these came in the same second as the last one that counts
 
 
 def counted(found: Sequence[Row], rules: LateRules | None) -> Counted:
@@ -83,7 +87,7 @@ def _row(row: Row, rules: LateRules) -> tuple[Row, str]:
     if row.problem is not None and _still_matters(row, rules, found):
         return replace(row, attempts=found.inside), ""
     if not dropped and row.problem is None:
-        every = f"all {len(found.inside)} hand-ins count; {row.why}"
+        every = f"all {len(found.inside)} hand-ins count"
         why = row.why if len(found.inside) == 1 else every
         return replace(row, attempts=found.inside, why=why), ""
     words = _words(found, len(attempts)) or LATEST_IS_NONE
@@ -102,16 +106,21 @@ def _row(row: Row, rules: LateRules) -> tuple[Row, str]:
 
 
 def _attempts(row: Row) -> tuple[Attempt, ...]:
-    """Return the hand-ins; copies that came in one are one, and the latest of them is taken."""
+    """Return the hand-ins; copies that came in one are one, and the latest of them is taken.
+
+    Others that came in the same second stay apart, in the order in which they were found.
+    """
     attempts = row.attempts
     if attempts and row.problem is None and row.received is not None:
         attempts = (*attempts[:-1], attempts[-1]._replace(received=row.received))
     if len(attempts) > 1 and any(attempt.received is None for attempt in attempts):
         return tuple(attempt._replace(received=None) for attempt in attempts)
-    times: dict[datetime | int, Attempt] = {}
+    found: dict[tuple[datetime, str] | int, Attempt] = {}
     for number, attempt in enumerate(attempts):
-        times[number if attempt.received is None else attempt.received] = attempt
-    return tuple(times.values())
+        name = attempt.file
+        original = same_name(copy_of(name, canvas=called_by_canvas(name))[0])
+        found[number if attempt.received is None else (attempt.received, original)] = attempt
+    return tuple(found.values())
 
 
 def _sorted(attempts: tuple[Attempt, ...], rules: LateRules, due: datetime | None) -> _Sorted:
@@ -121,7 +130,11 @@ def _sorted(attempts: tuple[Attempt, ...], rules: LateRules, due: datetime | Non
     late = sum(a.received is not None and a.received > closes for a in attempts)
     inside = tuple(a for a in attempts if a.received is None or rules.opens <= a.received <= closes)
     most = len(inside) if rules.attempts is None else rules.attempts
-    return _Sorted(inside[:most], early, late, max(0, len(inside) - most))
+    last = inside[most - 1 : most + 1]
+    at_once = (
+        len(last) > 1 and last[0].received is not None and last[0].received == last[1].received
+    )
+    return _Sorted(inside[:most], early, late, max(0, len(inside) - most), at_once)
 
 
 def _still_matters(row: Row, rules: LateRules, found: _Sorted) -> bool:
@@ -156,4 +169,4 @@ def _words(found: _Sorted, every: int) -> str:
     words = f"{len(found.inside) or 'none'} of {every} hand-ins {counts}: {', '.join(parts)}"
     if any(attempt.received is None for attempt in found.inside):
         return f"{words}; {UNKNOWN_ORDER}"
-    return words
+    return f"{words}; {SAME_SECOND}" if found.at_once else words

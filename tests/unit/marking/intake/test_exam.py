@@ -13,7 +13,7 @@ from tests.support_rows import plain_result
 from tests.unit.marking.intake.support import PDF, PICK, put
 from vrts.check.task.late_rules import LateRules
 from vrts.marking.class_marks import class_row, with_best_attempts
-from vrts.marking.intake.exam import Counted, counted
+from vrts.marking.intake.exam import SAME_SECOND, Counted, counted
 from vrts.marking.intake.row import Attempt, Kind, Problem, Row, Student
 from vrts.marking.intake.take_in import take_in
 from vrts.marking.intake.tree.opening import open_place
@@ -67,7 +67,6 @@ def one(found: Row, rules: LateRules) -> tuple[str | None, list[str]]:
             "2 of 5 hand-ins count: 1 came before the exam opened, 1 came after it closed, 1 came",
         ),
         (ONE, (BEFORE, AFTER), "b.v2", "none of 2 hand-ins count"),
-        (ONE, (FIRST, FIRST), "b.v2", ""),  # copies in one hand-in: the latest of them
     ],
 )
 def test_the_first_while_it_is_open_count(
@@ -76,6 +75,22 @@ def test_the_first_while_it_is_open_count(
     found, notes = one(row(*times), rules)
     assert found == file
     assert [told in note for note in notes] == ([True] if told else [])
+
+
+def test_two_in_the_same_second_are_two() -> None:
+    found, told = one(row(FIRST, FIRST), ONE)
+    assert found == "a.v2"
+    assert told == [f"`ann`: 1 of 2 hand-ins counts: 1 came after the first; {SAME_SECOND}"]
+    assert len(counted([row(FIRST, FIRST)], TWO).rows[0].attempts) == 2
+
+
+def test_copies_that_came_in_one_hand_in_are_one() -> None:
+    copies = (Attempt("a.v2", FIRST), Attempt("a (1).v2", FIRST))
+    found = replace(row(FIRST), attempts=copies, file="a (1).v2")
+    assert one(found, ONE) == ("a (1).v2", [])
+    names = ("ann_31_901_a.v2", "ann_31_902_a-1.v2")  # as Canvas calls them
+    found = replace(found, attempts=tuple(Attempt(name, FIRST) for name in names), file=names[1])
+    assert one(found, ONE) == (names[1], [])
 
 
 def test_without_an_exam_all_counts() -> None:

@@ -114,7 +114,7 @@ class _Reader:
         if file is not None and file == counted:  # chosen by vrts: to be chosen again among all
             attempts = tuple(_at(one, received) if one.file == file else one for one in attempts)
             file, received = attempts[-1]
-        elif file is not None and problem is None and (not attempts or attempts[-1].file != file):
+        elif file is not None and problem is None and file != _of_vrts(attempts, counted):
             attempts = (Attempt(file, received),)
         if len(attempts) > 1:
             why = self._whys.get(file, why)
@@ -291,6 +291,11 @@ class _Reader:
         self, cell: Cell, headline: str, remedy: str = "write such as 2026-11-30T23:59:00+01:00"
     ) -> None:
         self._problems.error(INTAKE_VALUE, headline, cell.span, help=(remedy,))
+
+
+def _of_vrts(attempts: tuple[Attempt, ...], counted: str | None) -> str | None:
+    """Return the file that vrts chose among attempts; another one was chosen by the teacher."""
+    return counted or (attempts[-1].file if attempts else None)
 
 
 def _at(attempt: Attempt, received: datetime | None) -> Attempt:

@@ -8,7 +8,7 @@ import pytest
 
 from tests.unit.marking.intake.support import PICK, put
 from tests.unit.marking.intake.test_cases import ANNA
-from vrts.marking.intake.row import Kind, Student
+from vrts.marking.intake.row import Kind, Platform, Student
 from vrts.marking.intake.tables.local_time import local_time
 from vrts.marking.intake.tables.roster import read_roster
 from vrts.marking.intake.take_in import take_in
@@ -88,7 +88,8 @@ def test_times_without_a_zone_do_not_count(tmp_path: Path) -> None:
     place = put(tmp_path / "d", {f"{ANNA}/pick.v2": PICK})
     found = take_in(place, program=None, roster=read_roster(WORKSHEET, "w.csv", None))
     assert found.rows[0].received is None
-    assert found.remarks == ("the times in `w.csv` have no zone, so they do not count: give one",)
+    words = "the times in `w.csv` have no zone, so they do not count: give one with `--zone`"
+    assert found.remarks == (words,)
 
 
 def test_a_grade_book_of_canvas_tells_names_logins_and_who_is_missing(tmp_path: Path) -> None:
@@ -148,3 +149,74 @@ def test_times_are_of_the_zone_in_its_season() -> None:
     winter = local_time("Tuesday, 21 January 2026, 3:45 PM", vienna)
     assert summer == datetime(2026, 7, 21, 13, 45, tzinfo=UTC)
     assert winter == datetime(2026, 1, 21, 14, 45, tzinfo=UTC)
+
+
+def test_ids_of_a_plain_table_are_not_taken_for_those_of_moodle() -> None:
+    found = read_roster(b"id,name,email\nm00004,Ann,ann@uni.at\nk123,Ben,ben@uni.at\n", "l", None)
+    assert found.platform is Platform.SIS
+    assert list(found.members) == ["m00004", "k123"]
+
+
+@pytest.mark.parametrize(
+    "data",
+    [
+        b"id,name,email\n7,Ann,ann@uni.at\n7,Ben,ben@uni.at\n",
+        WORKSHEET + b"Participant 101,Ben Wolf,b@uni.at,No submission,,10.00,Yes,-,-,\r\n",
+        GRADE_BOOK + b'"Wolf, Ben",31,00125,benw,A,\r\n',
+        "id,name\nJ\u00f6,Ann\nJo\u0308,Ben\n".encode(),
+    ],
+    ids=["plain", "Moodle", "Canvas", "letters written otherwise"],
+)
+def test_nobody_vanishes_behind_somebody_with_the_same_id(data: bytes) -> None:
+    with pytest.raises(CannotRead, match=r"more than once: `.*Ann.*` and"):
+        read_roster(data.replace(b"Berger, Anna", b"Anna B"), "list.csv", None)
+
+
+def test_a_line_that_is_there_twice_is_one() -> None:
+    twice = GRADE_BOOK + b'"Wolf, Ben",32,00124,ben,A,\r\n'
+    assert list(read_roster(twice, "list.csv", None).members) == ["31", "32"]
+
+
+def test_whoever_cannot_be_told_is_not_left_out() -> None:
+    with pytest.raises(CannotRead, match="`Ben` in `l` has neither an id nor an address"):
+        read_roster(b"id,name,email\n7,Ann,a@uni.at\n,Ben,\n", "l", None)
+    found = read_roster(b"id,name,email\n7,,a@uni.at\n,,\n", "l", None)
+    assert found.members["7"].student.name == "7"
+
+
+def test_a_hand_in_by_a_name_that_two_may_mean_is_nobodys(tmp_path: Path) -> None:
+    place = put(tmp_path / "d", {"id-ab/pick.v2": PICK, "id-c/pick.v2": PICK})
+    data = b"id,name,email\nab,Ann,\nAB,Ben,\nc,Cid,\n"
+    found = take_in(place, program=None, roster=read_roster(data, "l", None))
+    assert "`id-ab` is not in the list of the class" in found.remarks
+    assert [row.student.name for row in found.rows if row.file] == ["id-ab", "Cid"]
+
+
+def test_any_list_may_tell_when_work_came() -> None:
+    head, ann = b"id,name,email,received\n", b"7,Ann,a@uni.at,"
+    told = {
+        b"2026-11-30T23:58:00+01:00": datetime(2026, 11, 30, 23, 58, tzinfo=CET),
+        b"2026-11-30 23:58": datetime(2026, 11, 30, 23, 58, tzinfo=CET),
+        b"": None,
+    }
+    for text, time in told.items():
+        found = read_roster(head + ann + text + b"\n", "l", CET)
+        assert found.members["7"].received == time
+        assert found.remarks == ()
+    odd = read_roster(head + ann + b"yesterday\n", "l", CET)
+    assert odd.members["7"].received is None
+    assert odd.remarks[0].startswith("no times in the column `received` of `l`: `yesterday`;")
+    assert "have no zone" in read_roster(head + ann + b"2026-11-30 23:58\n", "l", None).remarks[0]
+    book = GRADE_BOOK.replace(b"(77)\r", b"(77),received\r").replace(
+        b"anna,A,", b"anna,A,,2026-11-30T23:58:00+01:00"
+    )
+    assert read_roster(book, "b", None).members["31"].received == told[b"2026-11-30 23:58"]
+
+
+def test_the_time_of_a_list_is_that_of_the_latest_attempt(tmp_path: Path) -> None:
+    files = {f"ann@uni.at/attempt-{k}/pick.v2": PICK for k in (1, 2)}
+    data = b"name,email,received\nAnn,ann@uni.at,2026-11-30T23:58:00+01:00\n"
+    place = put(tmp_path / "d", files)
+    (row,) = take_in(place, program=None, roster=read_roster(data, "l", None)).rows
+    assert [one.received is None for one in row.attempts] == [True, False]
+    assert row.received is not None
