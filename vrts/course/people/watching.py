@@ -16,9 +16,9 @@ from vrts.course.people.sources import Read, Stamp, people_of, read_people, stam
 from vrts.live.lasting.clock import wall
 from vrts.live.protocol.from_server import Chat
 from vrts.live.protocol.over_http import HowIn
-from vrts.live.rooms.audience import Audience
 from vrts.live.rooms.entering import send_away
 from vrts.live.rooms.hub import Hub
+from vrts.live.rooms.telling.audience import Audience
 from vrts.live.store.accounts import account_of
 from vrts.live.store.database import Connection
 from vrts.live.store.guests import log_guests_out

@@ -69,7 +69,7 @@ def enter(
     member.address, member.browsers = address, browsers
     member.came = member.heard = steady()
     _saw(hub, member, 0.0)
-    resumed = join.resume == member.resume and room.remembers(join.seen)
+    resumed = join.resume == member.resume and room.sent.covers(join.seen, room.number)
     member.seen = join.seen if resumed else None
     member.door, member.rate, member.settled = door, join.rate, False
     room.control.back(member.id)
@@ -112,7 +112,7 @@ def settle(hub: Hub, room: Room, state: bytes) -> None:
             continue
         member.settled = True
         if member.seen is not None:
-            for frame in room.missed(member, member.seen):
+            for frame in room.sent.missed(member, member.seen):
                 member.send(frame)
         snapshot = Snapshot(
             room=room.entry,

@@ -10,10 +10,10 @@ from vrts.live.lasting.clock import wall
 from vrts.live.notices.kept import EVERYWHERE, KeptNotice, keep_wanted
 from vrts.live.protocol.coding import encode
 from vrts.live.protocol.from_server import Chat, Stopped
-from vrts.live.rooms.audience import EVERYBODY, Audience
 from vrts.live.rooms.hub import Hub
 from vrts.live.rooms.member import Member
 from vrts.live.rooms.room import Asked, Room
+from vrts.live.rooms.telling.audience import EVERYBODY, Audience
 from vrts.live.store import log as store_log
 from vrts.live.store.accounts import Account
 from vrts.live.store.database import Connection

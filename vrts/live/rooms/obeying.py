@@ -29,7 +29,6 @@ from vrts.live.protocol.from_clients import FromClient
 from vrts.live.protocol.from_server import Branched
 from vrts.live.protocol.from_supervisors import GoOn, LowerHand, SetScene
 from vrts.live.refusal import NotObeyed
-from vrts.live.rooms.audience import EVERYBODY, Audience
 from vrts.live.rooms.hub import DISK_HELP, NO_DISK, Hub
 from vrts.live.rooms.keeping import LOG_FULL, LOG_HELP, control_changed, say
 from vrts.live.rooms.member import Member
@@ -42,6 +41,7 @@ from vrts.live.rooms.resting.falling import hold
 from vrts.live.rooms.room import Held, Room
 from vrts.live.rooms.sessions import Sessions
 from vrts.live.rooms.supervising import supervise
+from vrts.live.rooms.telling.audience import EVERYBODY, Audience
 
 _WHY = {
     "role": ("you do not have the control right", "ask for it, or wait for your turn"),

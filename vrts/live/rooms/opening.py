@@ -14,11 +14,11 @@ from vrts.live.protocol.fields import Role
 from vrts.live.protocol.from_server import Chat, Rooms, Stopped
 from vrts.live.refusal import NotObeyed
 from vrts.live.rooms.again.folders import remove_all_closed
-from vrts.live.rooms.audience import EVERYBODY, Audience
 from vrts.live.rooms.control import ControlRight
 from vrts.live.rooms.entering import send_away
 from vrts.live.rooms.hub import Hub
 from vrts.live.rooms.room import Room
+from vrts.live.rooms.telling.audience import EVERYBODY, Audience
 from vrts.live.settings import SESSIONS
 from vrts.live.store.accounts import existing
 from vrts.live.store.bars import all_muted, bars_of

@@ -108,7 +108,7 @@ def _pulse_room(hub: Hub, room: Room, now: float) -> None:
     if room.control.pass_time(now):
         control_changed(hub, room)
     room.set_pace()
-    room.forget_old(now)
+    room.sent.forget_old(now)
     # a crowd is told less often: everybody is told about everybody
     if room.crowd_changed and now - room.crowd_changed > 0.004 * len(room.members):
         room.show_people(hub.muted)

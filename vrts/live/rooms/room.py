@@ -27,10 +27,11 @@ from vrts.live.protocol.from_server import (
     Stopped,
 )
 from vrts.live.protocol.listed import Person, RoomEntry
-from vrts.live.rooms.audience import EVERYBODY, Audience
 from vrts.live.rooms.control import ControlRight
 from vrts.live.rooms.member import FULL_RATE, Member
 from vrts.live.rooms.process import SessionProcess
+from vrts.live.rooms.telling.audience import EVERYBODY, Audience
+from vrts.live.rooms.telling.sent import Sent
 from vrts.live.session.views.frame import unpacked
 from vrts.live.store.accounts import Account
 from vrts.live.store.bars import Bars
@@ -39,21 +40,9 @@ from vrts.live.store.course.own_rooms import OwnRoom
 from vrts.live.store.progress import Reached
 from vrts.live.store.rooms import HISTORY, KeptRoom
 
-REMEMBERED: Final = 4000  # reliable messages for those who come back
-REMEMBERED_BYTES: Final = 4 * 1024 * 1024
-REMEMBERED_S: Final = 600.0  # longer than the place of who is away is kept
 Rest = Literal["awake", "falling", "asleep", "waking"]  # whether it has a session, or had one
 UNWATCHED: Final = 10  # pose frames a second of an arm that moves where nobody is
 PANIC: Final = b'{"type":"panic"}'  # as the log has it
-
-
-class Told(NamedTuple):
-    """A reliable message that was sent."""
-
-    number: int
-    to: Audience
-    frame: bytes
-    at: float  # of a clock that only goes on [s]
 
 
 class Held(NamedTuple):
@@ -120,8 +109,7 @@ class Room:
     used: float = 0.0  # when somebody did something in a room of their own [s]
     blocks: Blocks = field(default_factory=Blocks)  # of the session's past
     crowd_changed: float = 0.0  # since when people are to be told who is here; 0: they know
-    _told: deque[Told] = field(default_factory=deque[Told])
-    _bytes: int = 0
+    sent: Sent = field(default_factory=Sent)
 
     @property
     def id(self) -> str:
@@ -228,8 +216,7 @@ class Room:
         """Have only some lines been said; who comes back is told everything again."""
         self.chat.clear()
         self.chat.extend(lines)
-        self._told.clear()
-        self._bytes = 0
+        self.sent.forget_all()
 
     def next_number(self) -> int:
         """Return the number of the reliable message that is sent next."""
@@ -239,19 +226,9 @@ class Room:
     def tell(self, message: Message, number: int, to: Audience = EVERYBODY) -> None:
         """Send a reliable message, and remember it for those who come back."""
         frame = text_frame(encode(message))
-        now = steady()
-        self._told.append(Told(number, to, frame, now))
-        self._bytes += len(frame)
-        while len(self._told) > REMEMBERED or self._bytes > REMEMBERED_BYTES:
-            self._bytes -= len(self._told.popleft().frame)
-        self.forget_old(now)
+        self.sent.add(number, to, frame, steady())
         for member in self.audience(to):
             member.send(frame)
-
-    def forget_old(self, now: float) -> None:
-        """Forget messages that nobody can have missed whose place is still kept."""
-        while self._told and now - self._told[0].at > REMEMBERED_S:
-            self._bytes -= len(self._told.popleft().frame)
 
     def show(self, message: Message, to: Audience = EVERYBODY) -> None:
         """Send a state, which a later one replaces."""
@@ -271,18 +248,6 @@ class Room:
         """Return who is meant."""
         everybody = self.members.values()
         return everybody if to.everybody else [m for m in everybody if to.includes(m)]
-
-    def remembers(self, seen: int) -> bool:
-        """Return whether all that came after a number is still known."""
-        return seen <= self.number and (
-            seen == self.number or (bool(self._told) and self._told[0].number <= seen + 1)
-        )
-
-    def missed(self, member: Member, seen: int) -> list[bytes]:
-        """Return the frames for somebody who came back."""
-        return [
-            told.frame for told in self._told if told.number > seen and told.to.includes(member)
-        ]
 
     def chat_for(self, member: Member) -> tuple[Chat, ...]:
         """Return the history of the chat that somebody may read."""

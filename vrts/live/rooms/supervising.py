@@ -28,7 +28,6 @@ from vrts.live.protocol.from_supervisors import (
     WatchWall,
 )
 from vrts.live.refusal import NotObeyed
-from vrts.live.rooms.audience import EVERYBODY
 from vrts.live.rooms.entering import send_away
 from vrts.live.rooms.hub import Hub
 from vrts.live.rooms.keeping import control_changed, keep_notice_soon, record, say
@@ -36,6 +35,7 @@ from vrts.live.rooms.member import Member
 from vrts.live.rooms.opening import change, close, make_room
 from vrts.live.rooms.room import Room
 from vrts.live.rooms.sessions import Sessions
+from vrts.live.rooms.telling.audience import EVERYBODY
 from vrts.live.store.bars import allow, bar, mute, same_browser, unmute
 from vrts.live.store.database import Connection
 from vrts.live.store.waiting.journal import NO_ROOM

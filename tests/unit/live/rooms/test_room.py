@@ -13,7 +13,8 @@ from vrts.live.rooms.hub import Hub
 from vrts.live.rooms.member import FULL_RATE, Member
 from vrts.live.rooms.process import SessionProcess
 from vrts.live.rooms.pulse import AWAY_S
-from vrts.live.rooms.room import REMEMBERED, REMEMBERED_BYTES, REMEMBERED_S, UNWATCHED, Room
+from vrts.live.rooms.room import UNWATCHED, Room
+from vrts.live.rooms.telling.sent import REMEMBERED, REMEMBERED_BYTES, REMEMBERED_S
 from vrts.live.session.channel.messages import Start
 from vrts.live.settings import Settings
 from vrts.live.store.accounts import Account
@@ -28,15 +29,15 @@ def told(count: int, length: int) -> tuple[Room, list[bytes]]:
         number = room.next_number()
         room.tell(Chat(number, 0.0, "p", "Anna", "x" * length, False), number)
     member = Member(Account(1, "Ben", False, None), "r")
-    return room, room.missed(member, 0)
+    return room, room.sent.missed(member, 0)
 
 
 def test_the_last_messages_are_remembered_and_not_all() -> None:
     room, missed = told(REMEMBERED + 500, 10)
     assert len(missed) == REMEMBERED
-    assert room.remembers(500)
-    assert not room.remembers(499)
-    assert not room.remembers(REMEMBERED + 501)
+    assert room.sent.covers(500, room.number)
+    assert not room.sent.covers(499, room.number)
+    assert not room.sent.covers(REMEMBERED + 501, room.number)
 
 
 def test_who_has_waited_for_a_snapshot_is_told_who_is_here(tmp_path: Path) -> None:
@@ -78,12 +79,14 @@ def test_long_messages_are_fewer() -> None:
 
 def test_nothing_is_remembered_for_longer_than_places_are_kept() -> None:
     room, _ = told(20, 10)
-    room.forget_old(steady() + AWAY_S + 60.0)
-    assert room.remembers(5), "who was away as long as one may be has their place still"
-    room.forget_old(steady() + REMEMBERED_S + 1.0)
-    assert not room.remembers(19)
-    assert room.remembers(20), "nothing was missed"
+    room.sent.forget_old(steady() + AWAY_S + 60.0)
+    assert room.sent.covers(5, room.number), (
+        "who was away as long as one may be has their place still"
+    )
+    room.sent.forget_old(steady() + REMEMBERED_S + 1.0)
+    assert not room.sent.covers(19, room.number)
+    assert room.sent.covers(20, room.number), "nothing was missed"
     number = room.next_number()
     room.tell(Chat(number, 0.0, "p", "Anna", "more", False), number)
-    assert room.remembers(20)
-    assert not room.remembers(19)
+    assert room.sent.covers(20, room.number)
+    assert not room.sent.covers(19, room.number)

@@ -22,7 +22,6 @@ from vrts.live.protocol.from_server import (
 )
 from vrts.live.rooms.again.folders import empty_earlier
 from vrts.live.rooms.again.words import command_words
-from vrts.live.rooms.audience import Audience
 from vrts.live.rooms.entering import settle
 from vrts.live.rooms.hub import Hub
 from vrts.live.rooms.keeping import (
@@ -37,6 +36,7 @@ from vrts.live.rooms.noting import forget_notes, remember_notes
 from vrts.live.rooms.process import ENDED, Head, SessionProcess
 from vrts.live.rooms.resting.last_seen import last_seen
 from vrts.live.rooms.room import Asked, Room
+from vrts.live.rooms.telling.audience import Audience
 from vrts.live.rooms.wall import learn_bodies
 from vrts.live.store.waiting.journal import NO_ROOM
 

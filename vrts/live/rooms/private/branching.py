@@ -6,13 +6,13 @@ from vrts.live.lasting.clock import steady
 from vrts.live.logs.branching import begin_branch
 from vrts.live.logs.logged_sessions import LogFault
 from vrts.live.refusal import NotObeyed
-from vrts.live.rooms.audience import EVERYBODY
 from vrts.live.rooms.hub import DISK_HELP, NO_DISK, Hub
 from vrts.live.rooms.keeping import say
 from vrts.live.rooms.member import Member
 from vrts.live.rooms.opening import close, open_room
 from vrts.live.rooms.room import Room
 from vrts.live.rooms.sessions import Sessions
+from vrts.live.rooms.telling.audience import EVERYBODY
 from vrts.live.store.accounts import Account
 from vrts.live.store.branches import Branch, branch_of
 from vrts.live.store.database import Failed
