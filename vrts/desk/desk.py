@@ -9,7 +9,15 @@ from typing import NamedTuple
 
 import msgspec
 
-from vrts.desk.adding.asked import Body, Rests, completed, records_of, require_seen, rests_on
+from vrts.desk.adding.asked import (
+    Body,
+    Rests,
+    completed,
+    records_of,
+    require_present,
+    require_seen,
+    rests_on,
+)
 from vrts.desk.adding.facts import Facts, Remembered, changed_rows, facts_of
 from vrts.desk.book.book import Book
 from vrts.desk.book.shelf import Shelf
@@ -76,6 +84,7 @@ class Desk:
         folder = self.now().book.opened.layout.decisions
         with self._adding, locked(folder, LOCK):  # so that what was looked at still holds
             before = self.now()
+            require_present(before.book)
             shown = self._remembered.of(body.expect)
             if shown is None:
                 raise Moved("the page is out of date: load it again")

@@ -64,15 +64,29 @@ class RowTold(Struct, frozen=True):
     otherwise: str = ""  # that all finished with one mark which is not the final one
 
 
+class VersionTold(Struct, frozen=True):
+    """What somebody has made of a rubric item."""
+
+    record: str
+    who: str
+    name: str
+    at: str
+    title: str
+    points: float
+    withdrawn: bool
+    undone_by: str | None
+
+
 class ItemTold(Struct, frozen=True):
     """A rubric item."""
 
     id: str
     title: str
     points: float
-    version: str
+    version: str  # "" where every version is undone
     students: tuple[str, ...]
     withdrawn: bool
+    versions: tuple[VersionTold, ...] = ()  # the first one first
 
 
 class CauseTold(Struct, frozen=True):
@@ -187,6 +201,7 @@ class HistoryTold(Struct, frozen=True):
     sentence: str
     undone_by: str | None
     students: int  # whom it is about
+    at_once: tuple[str, ...] = ()  # records that count and say the same of others, by one deed
 
 
 class SourceTold(Struct, frozen=True):

@@ -11,6 +11,8 @@ from vrts.marking.by_hand.decisions.records import (
     Decide,
     Decision,
     Finish,
+    Give,
+    Item,
     Undo,
 )
 from vrts.marking.by_hand.decisions.state import state_of
@@ -85,3 +87,33 @@ def test_a_comment_on_another_program_is_shown_as_such() -> None:
     comments = {one.text: one for one in found.of("a").comments}
     assert (comments["good"].stale, comments["good"].mine) == (False, False)
     assert (comments["old"].stale, comments["old"].line) == (True, 3)
+
+
+def test_items_tell_all_their_versions_and_those_of_which_all_is_undone_are_not_forgotten() -> None:
+    first = ("huber", Item(1, AT, "grip", "The grip", "-1/2"))
+    given = ("mayr", Give(1, AT, "grip", ("a",)))
+    second = ("mayr", Item(2, AT, "grip", "The grip", "-2", ("huber:1",)))
+    undo = ("huber", Undo(2, AT, ("mayr:2",)))
+    (item,) = told("huber", first, given, second, undo).items
+    assert (item.points, item.version, item.students) == (-0.5, "huber:1", ("a",))
+    assert [(one.record, one.points, one.undone_by) for one in item.versions] == [
+        ("huber:1", -0.5, None),
+        ("mayr:2", -2.0, "huber:2"),
+    ]
+    (gone,) = told("huber", first, ("mayr", Undo(1, AT, ("huber:1",)))).items
+    assert (gone.version, gone.withdrawn, gone.versions[0].undone_by) == ("", True, "mayr:1")
+
+
+def test_what_one_deed_gave_to_many_stands_together_until_it_is_undone() -> None:
+    later = AT.replace("09:00:00", "09:00:01")
+    said = [("huber", Item(1, AT, "grip", "The grip", "-1"))]
+    said += [
+        ("huber", Give(k, AT, "grip", (who,), programs={who: "1" * 64}))
+        for k, who in ((2, "a"), (3, "b"))
+    ]
+    said += [("huber", Comment(k, AT, who, "look")) for k, who in ((4, "a"), (5, "b"))]
+    said += [("huber", Comment(6, later, "a", "look")), ("mayr", Comment(1, AT, "a", "look"))]
+    found = told("huber", *said)
+    assert found.at_once == (("huber:2", "huber:3"), ("huber:4", "huber:5"))
+    assert (found.beside("huber:3"), found.beside("huber:6")) == (("huber:2", "huber:3"), ())
+    assert told("huber", *said, ("mayr", Undo(2, AT, ("huber:2",)))).at_once[0][0] == "huber:4"

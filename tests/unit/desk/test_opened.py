@@ -13,7 +13,7 @@ from vrts.desk.again.asked import again
 from vrts.desk.book import shelf as shelf_module
 from vrts.desk.book.opened import open_marking
 from vrts.desk.book.shelf import Shelf
-from vrts.desk.desk import Desk
+from vrts.desk.desk import Desk, Moved
 from vrts.desk.told import GraderTold
 from vrts.marking.about import to_bytes
 from vrts.marking.by_hand.decisions.files import add_decisions
@@ -80,6 +80,39 @@ def test_what_becomes_unreadable_is_told_beside_what_was_there(layout: Layout) -
     said = [Comment(0, "", "s0001", "see me")]
     add_decisions(layout.decisions, "R. Huber", said, datetime.now(UTC))
     assert "holds no complete marking" in shelf.now().problems[0], "the rows are still old"
+
+
+def test_nothing_is_decided_about_what_cannot_be_seen(layout: Layout) -> None:
+    desk = Desk(layout.root, GraderTold("huber", "R. Huber"))
+    body = Body([{"does": "comment", "student": "s0001", "text": "see me"}], desk.now().revision)
+    copy = layout.decisions / "mayr (1).jsonl"
+    copy.write_bytes((layout.decisions / "mayr.jsonl").read_bytes())
+    before = (layout.decisions / "huber.jsonl").read_bytes()
+    with pytest.raises(Refused) as caught:
+        desk.add(body)
+    (said,) = caught.value.diagnostics
+    assert said.rule.code == "V849"
+    assert "`mayr (1).jsonl`" in said.headline
+    assert "do not rename" in said.headline, "the page has the remedy, too"
+    assert (layout.decisions / "huber.jsonl").read_bytes() == before
+    copy.unlink()
+    assert desk.add(body).added == ("huber:9",)
+
+
+def test_a_mark_that_ends_at_its_bound_has_changed_all_the_same(layout: Layout) -> None:
+    desk = Desk(layout.root, GraderTold("huber", "R. Huber"))
+
+    def more(points: str, shown: str) -> float | None:
+        change = {"does": "change", "students": ["s0000"], "delta": points, "reason": "paper"}
+        desk.add(Body([change], shown))
+        return desk.now().book.by_id["s0000"].final
+
+    desk.add(Body([{"does": "undo", "records": ["mayr:3"]}], desk.now().revision))  # an excuse
+    assert more("10", desk.now().revision) == 10.0
+    shown = desk.now().revision
+    assert more("1", shown) == 10.0
+    with pytest.raises(Moved):  # another page, which shows only the first of them
+        more("1", shown)
 
 
 def test_what_could_not_be_read_for_a_moment_is_tried_again(

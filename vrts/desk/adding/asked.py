@@ -8,6 +8,8 @@ from msgspec.structs import replace
 
 from vrts.base.diagnostic import Diagnostic, Rule, error
 from vrts.desk.adding.facts import Facts
+from vrts.desk.book.book import Book
+from vrts.marking.by_hand.decisions.files import BUSY
 from vrts.marking.by_hand.decisions.records import (
     Assign,
     ChangeMark,
@@ -100,6 +102,19 @@ def require_seen(records: tuple[Decision, ...], hidden: frozenset[str]) -> None:
                 f"{min(found)} is also about a row that is yours to mark alone",
                 "undo it when all have finished that row, or let its grader undo it",
             )
+
+
+def require_present(book: Book) -> None:
+    """Check that what is shown is what the files say.
+
+    Raises:
+        Refused: They cannot be read: whoever decides now does not see what it would be about.
+    """
+    if not book.old:
+        return
+    headline = f"nothing was decided: {book.problems[0]}"
+    remedy = "decide again when the file can be read: the page shows then what is in it"
+    raise Refused((error(BUSY, headline, help=(remedy,)),))
 
 
 def completed(records: tuple[Decision, ...], shown: Facts) -> tuple[Decision, ...]:

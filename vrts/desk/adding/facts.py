@@ -13,7 +13,9 @@ KEPT: Final = 32  # states
 class Fact(NamedTuple):
     """What was shown of a row that a decision may rest on."""
 
-    mark: tuple[object, ...]  # final and computed mark, why it is unsafe, excused, conflict
+    mark: tuple[
+        object, ...
+    ]  # final mark, and what it is made of
     program: str  # sha256, or `none`
 
 
@@ -51,10 +53,18 @@ def facts_of(book: Book) -> Facts:
     for row in book.rows.rows:
         mine = book.decided.of(row.id)
         doubts = tuple(doubt.reason for doubt in row.unsafe)
-        mark = (row.final, row.result.mark, row.result.kind, doubts, mine.excused, mine.conflict)
+        mark = (
+            row.final,
+            None if row.change is None else row.change.delta,  # also where the mark ends at a bound
+            row.result.mark,
+            row.result.kind,
+            doubts,
+            mine.excused,
+            mine.conflict,
+        )
         rows[row.id] = Fact(mark, program_of(found_out(row)))
         undone |= {one.record for one in mine.history if one.undone_by is not None}
-    items = {item.id: item.version for item in book.decided.items}
+    items = {item.id: item.version for item in book.decided.items if item.version}
     return Facts(rows, items, frozenset(undone))
 
 

@@ -28,6 +28,8 @@ class Book:
         attempts: Mapping[str, tuple[Attempt, ...]],
         problems: tuple[str, ...] = (),
         seen: Seen = ALL,
+        *,
+        old: bool = False,
     ) -> None:
         """Take what was read.
 
@@ -39,6 +41,7 @@ class Book:
             attempts: By id, of those who handed in several times.
             problems: What could not be read, in sentences.
             seen: What of the decisions whoever looks may see; `rows` and `decided` are of that.
+            old: Whether files say something else now, which cannot be read.
         """
         self.opened = opened
         self.rows = rows
@@ -47,6 +50,7 @@ class Book:
         self.attempts = attempts
         self.problems = problems
         self.seen = seen
+        self.old = old
 
     @cached_property
     def by_id(self) -> Mapping[str, Row]:

@@ -6,6 +6,8 @@ from fractions import Fraction
 from types import MappingProxyType
 from typing import NamedTuple
 
+from vrts.desk.book.at_once import made_at_once
+from vrts.desk.book.versions import items_told
 from vrts.desk.told import (
     ChangeTold,
     CommentTold,
@@ -18,7 +20,6 @@ from vrts.desk.told import (
     Side,
 )
 from vrts.marking.by_hand.decisions.counting import counted
-from vrts.marking.by_hand.decisions.items import ItemNow
 from vrts.marking.by_hand.decisions.ledger import Filed, Ledger
 from vrts.marking.by_hand.decisions.records import (
     ChangeMark,
@@ -58,10 +59,15 @@ class Decided(NamedTuple):
     conflicts: tuple[ConflictTold, ...] = ()
     graders: tuple[GraderTold, ...] = ()
     alone: Mapping[str, float | None] = MappingProxyType({})  # marks that whoever looks would give
+    at_once: tuple[tuple[str, ...], ...] = ()  # names of records that one deed has written
 
     def of(self, student: str) -> Mine:
         """Return what was decided about a student."""
         return self.students.get(student, NOTHING)
+
+    def beside(self, record: str) -> tuple[str, ...]:
+        """Return the names of records that were written with one, by one deed; () for none."""
+        return next((names for names in self.at_once if record in names), ())
 
 
 NOTHING = Mine()
@@ -95,9 +101,10 @@ def told_of(ledger: Ledger, state: State, programs: Mapping[str, str], me: str) 
             for student, program in programs.items()
             if student in history or student in state.students
         },
-        _items(state),
+        items_told(ledger, state, undone),
         tuple(_conflict(one) for one in state.conflicts),
         tuple(GraderTold(grader.id, grader.name) for grader in ledger.graders),
+        at_once=tuple(made_at_once(ledger, undone)),
     )
 
 
@@ -170,20 +177,6 @@ def _history(one: Filed, undone_by: str | None, students: int) -> HistoryTold:
 
 def _points(text: str | None) -> float | None:
     return None if text is None else float(number(Fraction(text)))
-
-
-def _items(state: State) -> tuple[ItemTold, ...]:
-    given: dict[str, dict[str, None]] = defaultdict(dict)
-    for student, found in state.students.items():
-        for one in found.given:
-            if isinstance(one.said, Give):
-                given[one.said.item][student] = None
-    return tuple(_item(one, tuple(given[one.id])) for one in state.items.values())
-
-
-def _item(one: ItemNow, students: tuple[str, ...]) -> ItemTold:
-    points = float(number(one.points))
-    return ItemTold(one.id, one.title, points, one.version, students, one.withdrawn)
 
 
 def _conflict(one: Conflict) -> ConflictTold:

@@ -17,6 +17,7 @@ from vrts.marking.result import Damaged
 from vrts.marking.similarity.files import DATA
 from vrts.pipeline.files import CannotRead
 from vrts.pipeline.refused import Refused
+from vrts.report.plain import capital
 
 DECISIONS: Final = "decisions"  # folder in `staff`
 MOST_FILES: Final = 400  # looked at in it
@@ -85,6 +86,7 @@ class Shelf:
                 last.attempts,
                 told,
                 last.seen,
+                old=True,
             )
 
     def seen_by(self, me: str) -> None:
@@ -144,7 +146,9 @@ def _signs(paths: "Iterator[Path] | tuple[Path, ...] | list[Path]") -> Iterator[
 
 
 def sentence(problem: CannotRead | Refused) -> str:
-    """Return what is wrong, in one line."""
-    if isinstance(problem, Refused):
-        return "; ".join(one.headline for one in problem.diagnostics if one.is_error)
-    return problem.message
+    """Return what is wrong, and what to do about it, in one line."""
+    if not isinstance(problem, Refused):
+        return problem.message
+    wrong = [one for one in problem.diagnostics if one.is_error]
+    remedies = dict.fromkeys(one.help[0] for one in wrong if one.help)
+    return ". ".join(("; ".join(one.headline for one in wrong), *map(capital, remedies)))

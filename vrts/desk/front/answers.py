@@ -9,6 +9,7 @@ from starlette.requests import Request
 from starlette.responses import Response
 
 from vrts.base.diagnostic import Diagnostic
+from vrts.desk.front.shapes import with_shapes
 from vrts.live.front.bodies import JSON
 
 _SMALL: Final = 1500  # bytes that are not worth compressing
@@ -21,7 +22,8 @@ def told(request: Request, value: object, status: int = 200) -> Response:
 
 
 def told_bytes(request: Request, data: bytes, status: int = 200) -> Response:
-    """Return JSON as an answer."""
+    """Return JSON as an answer, with a shape for each character."""
+    data = with_shapes(data)
     headers = {"vary": "accept-encoding"}
     if len(data) > _SMALL and "gzip" in request.headers.get("accept-encoding", ""):
         headers["content-encoding"] = "gzip"
@@ -31,7 +33,8 @@ def told_bytes(request: Request, data: bytes, status: int = 200) -> Response:
 
 def refusal(status: int, text: str, **more: object) -> Response:
     """Return that something is refused, in one sentence."""
-    return Response(msgspec.json.encode({"error": text, **more}), status, media_type=JSON)
+    data = with_shapes(msgspec.json.encode({"error": text, **more}))
+    return Response(data, status, media_type=JSON)
 
 
 def diagnosed(found: Sequence[Diagnostic]) -> Response:

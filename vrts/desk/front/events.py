@@ -9,6 +9,7 @@ from starlette.requests import Request
 from starlette.responses import Response, StreamingResponse
 
 from vrts.desk.front.answers import refusal
+from vrts.desk.front.shapes import with_shapes
 
 MOST: Final = 24  # browsers and tabs that listen
 WAITING: Final = 64  # events for one of them; who takes none loses the oldest
@@ -30,7 +31,8 @@ class Events:
 
     def send(self, name: str, value: object) -> None:
         """Tell everybody."""
-        event = b"event: %s\ndata: %s\n\n" % (name.encode(), msgspec.json.encode(value))
+        data = with_shapes(msgspec.json.encode(value))
+        event = b"event: %s\ndata: %s\n\n" % (name.encode(), data)
         for queue in self._listeners:
             if queue.full():
                 queue.get_nowait()

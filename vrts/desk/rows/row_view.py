@@ -2,9 +2,11 @@
 
 from urllib.parse import quote
 
+from msgspec.structs import replace
+
 from vrts.desk.book.book import Book, found_out
 from vrts.desk.rows.causes import cause_key
-from vrts.desk.told import LossTold, OneRow, RowTold, SourceTold, StepTold
+from vrts.desk.told import HistoryTold, LossTold, OneRow, RowTold, SourceTold, StepTold
 from vrts.marking.exports.numbers import number
 from vrts.marking.exports.steps import steps
 from vrts.marking.layout import STAFF, STUDENTS
@@ -54,11 +56,15 @@ def one_row(
         mine.comments,
         mine.given,
         mine.changes,
-        mine.history,
+        tuple(_with_others(book, one) for one in mine.history),
         _address(book, row, staff=True),
         _address(book, row, staff=False),
         book.attempts_of(row),
     )
+
+
+def _with_others(book: Book, one: HistoryTold) -> HistoryTold:
+    return replace(one, at_once=book.decided.beside(one.record))
 
 
 def source_of(name: str, data: bytes) -> SourceTold:
