@@ -202,6 +202,7 @@ class HistoryTold(Struct, frozen=True):
     undone_by: str | None
     students: int  # whom it is about
     at_once: tuple[str, ...] = ()  # records that count and say the same of others, by one deed
+    undone: int = 0  # records that the undo of this one has undone
 
 
 class SourceTold(Struct, frozen=True):

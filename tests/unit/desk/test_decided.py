@@ -60,6 +60,7 @@ def test_history_tells_what_was_undone_and_decided() -> None:
         ("huber:3", None),
         ("mayr:2", None),
     ]
+    assert [one.undone for one in first.history] == [1, 0, 0]
     assert [(one.record, one.delta) for one in first.changes] == [("huber:3", -0.5)]
     assert [one.record for one in found.of("b").changes] == ["huber:3"]
     assert found.conflicts == ()

@@ -6,7 +6,7 @@ from statistics import correlation
 from msgspec.structs import replace
 
 from tests.places import ROOT
-from tests.support_desk import about_of
+from tests.support_desk import HITS, about_of
 from tests.support_rows import failed, plain_result, plain_row
 from vrts.desk.book.book import Book
 from vrts.desk.book.decided import Decided, Mine
@@ -108,6 +108,18 @@ def test_progress_is_by_number_of_the_attempt_where_all_were_marked() -> None:
     told = [(one.file, one.mark) for one in book.attempts_of(rows[0])]
     assert told == [("a0.v2", 2.0), ("a1.v2", 5.0), ("a2.v2", 9.0)]
     assert statistics(book_of([plain_row("a", mark=4.0)], a=3), ()).progress == ()
+
+
+def test_who_is_excused_is_in_no_cause_either() -> None:
+    losses = (HITS,)
+    rows = [plain_row(name, mark=8.5, losses=losses) for name in "ab"]
+    causes = causes_of(rows)
+    for excused, counts in (("a", [1]), ("", [2])):
+        decided = Decided({excused: Mine(excused=True)})
+        found = statistics(book_of(rows, decided), causes).causes
+        assert [one.count for one in found] == counts
+    nobody = Decided({name: Mine(excused=True) for name in "ab"})
+    assert statistics(book_of(rows, nobody), causes).causes == ()
 
 
 def test_nobody_has_statistics_of_nobody() -> None:

@@ -33,7 +33,8 @@ return {
   counts: filters.counts(rows, "me").flags,
   after: [undefined, rows[1], rows[3]].map((now) => filters.nextOpen(rows, now, "me")?.name),
   nobody: filters.nextOpen([rows[4]], undefined, "me"),
-  typed: ["−0,5", "+1.", " 7.25 ", ".5", "1e3", "", "1,2,3"].map(words.typed),
+  typed: ["−0,5", "+1.", " 7.25 ", ".5", "1e3", "", "1,2,3", "NaN", "-0.0004", "1e308"]
+    .map(words.typed),
   exact: [-0.5, 1, 0.125, 0, 1 / 3].map(words.exact),
   amount: ["-3/2", "4", 2.5, null].map(words.amount),
   points: [-1.5, 0, 2].map(words.points),
@@ -71,7 +72,7 @@ def test_what_the_page_computes(tmp_path: Path) -> None:
         "counts": {"unsafe": 1, "mine": 1, "open": 3, "alike": 1},
         "after": ["Ömer", "Çelik", "Ömer"],
         "nobody": None,
-        "typed": [-0.5, 1, 7.25, 0.5, None, None, None],
+        "typed": [-0.5, 1, 7.25, 0.5, None, None, None, None, None, None],
         "exact": ["-1/2", "1", "1/8", "0", "333/1000"],
         "amount": [-1.5, 4, 2.5, None],
         "points": ["−1.5", "±0", "+2"],

@@ -113,7 +113,7 @@ def require_present(book: Book) -> None:
     if not book.old:
         return
     headline = f"nothing was decided: {book.problems[0]}"
-    remedy = "decide again when the file can be read: the page shows then what is in it"
+    remedy = "decide again when this is put right: the page keeps what is typed"
     raise Refused((error(BUSY, headline, help=(remedy,)),))
 
 

@@ -13,9 +13,7 @@ KEPT: Final = 32  # states
 class Fact(NamedTuple):
     """What was shown of a row that a decision may rest on."""
 
-    mark: tuple[
-        object, ...
-    ]  # final mark, and what it is made of
+    mark: tuple[object, ...]  # final mark, and what it is made of
     program: str  # sha256, or `none`
 
 

@@ -29,6 +29,7 @@ from vrts.marking.by_hand.decisions.records import (
     Extend,
     Finish,
     Give,
+    Undo,
 )
 from vrts.marking.by_hand.decisions.state import Conflict, OfStudent, State, students_of
 from vrts.marking.by_hand.decisions.words import sentence_of
@@ -85,6 +86,9 @@ def told_of(ledger: Ledger, state: State, programs: Mapping[str, str], me: str) 
     undone = counted(ledger.records).undone
     history: dict[str, list[HistoryTold]] = defaultdict(list)
     whose: dict[str, tuple[str, ...]] = {}
+    undoes: dict[str | None, int] = {
+        one.name: len(one.said.records) for one in ledger.records if isinstance(one.said, Undo)
+    }
     for one in ledger.records:
         students = tuple(dict.fromkeys(students_of(one.said)))
         if isinstance(one.said, Decide):
@@ -92,7 +96,8 @@ def told_of(ledger: Ledger, state: State, programs: Mapping[str, str], me: str) 
             every = (who for name in named for who in whose.get(name, ()))
             students = one.said.students or tuple(dict.fromkeys(every))
         whose[one.name] = students
-        told = _history(one, undone.get(one.name), len(students))
+        by = undone.get(one.name)
+        told = _history(one, by, len(students), undoes.get(by, 0))
         for student in students:
             history[student].append(told)
     return Decided(
@@ -170,9 +175,9 @@ def _looked(one: Filed, program: str) -> Looked:
     return Looked(one.grader, _points(said.mark), stale)
 
 
-def _history(one: Filed, undone_by: str | None, students: int) -> HistoryTold:
-    sentence = sentence_of(one)
-    return HistoryTold(one.name, one.grader, one.who, one.said.at, sentence, undone_by, students)
+def _history(one: Filed, undone_by: str | None, students: int, undone: int) -> HistoryTold:
+    what = sentence_of(one), undone_by, students
+    return HistoryTold(one.name, one.grader, one.who, one.said.at, *what, undone=undone)
 
 
 def _points(text: str | None) -> float | None:

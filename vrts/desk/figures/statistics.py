@@ -5,6 +5,8 @@ from collections.abc import Iterable, Sequence
 from statistics import fmean, median
 from typing import Final
 
+from msgspec.structs import replace
+
 from vrts.desk.book.book import Book
 from vrts.desk.figures.bars import bars
 from vrts.desk.figures.discrimination import discrimination
@@ -39,12 +41,21 @@ def statistics(book: Book, causes: Sequence[CauseTold]) -> Statistics:
         _mean(marks),
         _median(marks),
         tuple(_checks(rows)),
-        tuple(causes[:MOST_CAUSES]),
+        tuple(_causes(book, causes))[:MOST_CAUSES],
         tuple(_attempts(book)),
         tuple(_progress(book)),
         tuple(_graders(book)),
         tuple(_double(book)),
     )
+
+
+def _causes(book: Book, causes: Sequence[CauseTold]) -> Iterable[CauseTold]:
+    """Yield causes without those who are excused."""
+    excused = {row.id for row in book.rows.rows if _excused(book, row)}
+    for one in causes:
+        left = tuple(student for student in one.students if student not in excused)
+        if left:
+            yield replace(one, count=len(left), students=left)
 
 
 def _excused(book: Book, row: Row) -> bool:

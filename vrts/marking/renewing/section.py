@@ -79,7 +79,7 @@ def _section(page: _Page, decided: Decided, final: str, *, staff: bool) -> Marku
     items = [_item(page, item) for item in decided.items]
     items += [_comment(page, comment) for comment in decided.comments]
     if decided.excused:
-        items.append(element("li", f"Excused: {one_line(decided.excused)}"))
+        items.append(element("li", "Excused: ", element("bdi", one_line(decided.excused))))
     if decided.due:
         items.append(element("li", f"Time until {due_words(decided.due)}"))
     if final and decided.steps:
@@ -87,7 +87,10 @@ def _section(page: _Page, decided: Decided, final: str, *, staff: bool) -> Marku
     if staff:
         again = (decided.again,) if decided.again else ()
         told = (*decided.conflicts, *decided.lapsed, *again)
-        items += [element("li", element("b", "Not settled: "), one_line(text)) for text in told]
+        items += [
+            element("li", element("b", "Not settled: "), element("bdi", one_line(text)))
+            for text in told
+        ]
     if not items:
         return ""
     heading = element("h2", SAID, id="graders-head")
@@ -98,7 +101,7 @@ def _section(page: _Page, decided: Decided, final: str, *, staff: bool) -> Marku
 def _item(page: _Page, item: Given) -> Markup:
     places = [page.place(*place) for place in item.places]
     points = element("b", signed(Fraction(item.points)), class_="points")
-    words = element("span", one_line(item.title), class_="words")
+    words = element("span", one_line(item.title), class_="words", dir="auto")
     return element("li", points, " ", words, " ", *places, _who(item.who))
 
 
@@ -109,9 +112,9 @@ def _comment(page: _Page, comment: Told) -> Markup:
         text += [element("br")] if number else []
         text.append(one_line(line))
     place = page.place(comment.line, comment.time_s)
-    words = element("span", *text, class_="words")
+    words = element("span", *text, class_="words", dir="auto")
     return element("li", place, words, " ", _who(comment.who))
 
 
 def _who(name: str) -> Markup:
-    return element("small", one_line(name))
+    return element("small", one_line(name), dir="auto")

@@ -1,5 +1,7 @@
 // What is asked of the desk's server. Every failure has a kind, so that the page can say what happened.
 
+import { capital } from "./words.js";
+
 /** Something was not done, and why. */
 export class NotDone extends Error {
   /** @param {"offline" | "changed" | "refused" | "ended"} kind @param {string} words @param {string[]} details */
@@ -36,11 +38,12 @@ async function ask(path, options) {
   }
   const told = await answer.json().catch(() => null);
   if (answer.ok && told !== null) return told;
-  const words = typeof told?.error === "string" ? told.error : `The desk answered ${answer.status}.`;
+  const words = typeof told?.error === "string" ? capital(told.error) : `The desk answered ${answer.status}.`;
   if (answer.status === 409) throw new NotDone("changed", words);
   if (answer.status === 401) throw new NotDone("ended", "This page is no longer let in: open the address that `vrts grade desk` prints.");
-  const details = (told?.diagnostics ?? []).map((/** @type {{headline?: string, help?: string}} */ one) => [one.headline, one.help].filter(Boolean).join(": "));
-  throw new NotDone("refused", words, details);
+  const details = (told?.diagnostics ?? []).map((/** @type {{headline?: string, help?: string}} */ one) =>
+    [one.headline === told.error ? "" : capital(one.headline ?? ""), capital(one.help ?? "")].filter(Boolean).join(". "));
+  throw new NotDone("refused", words, details.filter(Boolean));
 }
 
 /**

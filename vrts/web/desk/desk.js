@@ -36,10 +36,14 @@ export class Desk {
     this.view = "work";
     this.online = true;
     this.filter = everything();
-    /** @type {{records: string[], words: string}[]} */
+    /** @type {{records: string[], words: string, given: Set<string>}[]} */
     this.done = [];
+    /** Asks whether records are to be undone, where that changes more than what was done. @type {(records: string[], given: Set<string>) => Promise<boolean>} */
+    this.sure = async () => true;
     /** @type {Promise<unknown>} */
     this.queue = Promise.resolve();
+    /** @type {Promise<unknown>} */
+    this.undoing = Promise.resolve();
     /** @type {Map<News, ((desk: Desk) => void)[]>} */
     this.hearers = new Map();
     this.waiting = 0;
@@ -227,8 +231,9 @@ export class Desk {
       const written = /** @type {Written} */ (await post("/api/records", { records, expect: this.data?.revision ?? "" }));
       this.take(written);
       this.linked(true);
-      if (kept && written.added.length) this.done = [...this.done, { records: written.added, words }].slice(-UNDOS);
-      this.notes.done(words, () => void this.undo(written.added, words));
+      const given = new Set(records.flatMap((one) => (one.does === "give" ? one.students : [])));
+      if (kept && written.added.length) this.done = [...this.done, { records: written.added, words, given }].slice(-UNDOS);
+      this.notes.done(words, () => void this.undo(written.added, words, given));
       await this.fetchDetail();
       return true;
     } catch (problem) {
@@ -251,13 +256,21 @@ export class Desk {
     this.tell("class");
   }
 
-  /** Undo records, or the last thing that was done here. @param {string[] | null} records @param {string} words */
-  async undo(records = null, words = "") {
-    const last = records ? { records, words } : this.done.at(-1);
+  /** Undo records, or the last thing that was done here. @param {string[] | null} records @param {string} words @param {Set<string>} given students who got an item by them */
+  undo(records = null, words = "", given = new Set()) {
+    this.undoing = this.undoing.then(() => this.undoNow(records, words, given)); // two keys undo two things
+    return this.undoing;
+  }
+
+  /** @param {string[] | null} records @param {string} words @param {Set<string>} given */
+  async undoNow(records, words, given) {
+    await this.queue; // what was pressed before is done first
+    const last = records ? { records, words, given } : this.done.at(-1);
     if (!last) {
       this.notes.done("Nothing was done here that could be undone. The history has what was done before.");
       return;
     }
+    if (!(await this.sure(last.records, last.given))) return;
     this.done = this.done.filter((one) => one.records[0] !== last.records[0]);
     if (!(await this.act([{ does: "undo", records: last.records }], `Undone: ${lower(last.words)}`, [], false))) this.done.push(last);
   }

@@ -11,12 +11,18 @@ export const TABLE = [
   ["J, K", "Next or previous program in the list"],
   ["N", "Next in the work list: what nobody has finished"],
   ["1 … 9, 0", "Give a rubric item, or take it"],
+  ["I", "A new rubric item"],
   ["C", "Comment: on the chosen line, or at the moment that is shown"],
+  ["L", "Lines of the program: arrows go on, Enter chooses one"],
+  ["R", "Reasons, checks, history"],
   ["M", "Mark by hand"],
+  ["D", "Later deadline, excuse, and who looks at it"],
   ["F", "Finish, and go to the next"],
   ["U", "Undo what you did last"],
   ["/", "Search"],
   ["← →", "Step the replay by 0.1 s, with Shift by 1 s"],
+  ["A", "All who lost by the same cause"],
+  ["W, X, S", "The work, conflicts, statistics"],
   ["Escape", "Leave a text field or the replay: back to the list"],
   ["?", "This list"],
 ];
@@ -46,7 +52,7 @@ export function showKeys() {
 
 /**
  * @typedef {{desk: import("./desk.js").Desk, replay: import("./frame.js").Replay, item: (key: string) => void, comment: () => void,
- *   hand: () => void, finish: () => void, search: () => void}} Acts
+ *   hand: () => void, finish: () => void, search: () => void, newItem: () => void, lines: () => void, reasons: () => void, student: () => void, causes: () => void}} Acts
  */
 
 /** @param {Acts} acts */
@@ -55,17 +61,27 @@ export function bindKeys(acts) {
   /** @type {Record<string, () => void>} */
   const letters = {
     j: () => desk.step(1), k: () => desk.step(-1), n: () => desk.next(), c: acts.comment, m: acts.hand, f: acts.finish,
-    u: () => void desk.undo(), "/": acts.search,
+    u: () => void desk.undo(), "/": acts.search, i: acts.newItem, l: acts.lines, r: acts.reasons, d: acts.student,
   };
+  /** Keys that every view has. @type {Record<string, () => void>} */
+  const everywhere = {
+    u: letters.u, a: acts.causes, w: () => view("work"), x: () => view("conflicts"), s: () => view("statistics"),
+  };
+  /** @param {import("./desk.js").View} name */
+  function view(name) {
+    desk.show(name);
+    leave(desk);
+  }
   document.addEventListener("keydown", (event) => {
     if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
     if (document.querySelector("dialog[open]") || document.querySelector(":popover-open")) return;
     const { target } = event;
     if (!(target instanceof Element)) return;
-    if (target.matches("textarea, select, input:not([type=checkbox], [type=radio])")) {
-      if (event.key === "Escape" && !target.matches("textarea")) byId("list").focus();
+    if (event.key === "Escape") {
+      leave(desk);
       return;
     }
+    if (target.matches("textarea, select, input:not([type=checkbox], [type=radio])")) return;
     const sideways = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
     if (sideways && desk.view === "work") {
       if (target.matches("[type=radio], [role=tab]")) return;
@@ -80,12 +96,16 @@ export function bindKeys(acts) {
       return;
     }
     const key = event.key.toLowerCase();
-    const act = /^\d$/.test(key) ? () => acts.item(key) : letters[key];
+    const here = /^\d$/.test(key) ? () => acts.item(key) : letters[key];
+    const act = everywhere[key] ?? (desk.view === "work" ? here : undefined);
     if (!act || event.repeat && !"jk".includes(key)) return;
-    if (desk.view !== "work") {
-      if (key !== "u") return;
-    }
     event.preventDefault();
     act();
   });
+}
+
+/** Go out of what has the keyboard: to the list, or to the view that is shown. @param {import("./desk.js").Desk} desk */
+export function leave(desk) {
+  if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
+  byId(desk.view === "work" ? "list" : `view-${desk.view}`).focus({ preventScroll: true });
 }

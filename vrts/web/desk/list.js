@@ -128,9 +128,9 @@ export class WorkList {
     },
       make("span", { class: `sign ${says}`, title: says },
         make("span", { "aria-hidden": "true", text: sign }), make("span", { class: "unseen", text: says && `${says}, ` })),
-      make("span", { class: "who", text: row.name }),
+      make("span", { class: "who", dir: "auto", text: row.name }),
       make("span", { class: "number", text: row.excused ? "excused" : mark(row.final) }),
-      make("span", { class: "soft why", text: row.why_next || row.cause || "" }),
+      make("span", { class: "soft why", dir: "auto", text: row.why_next || row.cause || "" }),
       make("span", { class: "soft marks", text: [row.items.length ? `${row.items.length} item${row.items.length > 1 ? "s" : ""}` : "", row.comments ? `${row.comments} ✎` : ""].filter(Boolean).join(" ") }),
     );
     one.style.top = `${place * HEIGHT}px`;

@@ -1,13 +1,15 @@
 // The grading desk: puts the parts together, and fetches the class.
 
 import { button, byId, make, write } from "../live/dom.js";
+import { inText } from "../live/names.js";
 import { nextOpen } from "./filters.js";
 import { Desk } from "./desk.js";
 import { Replay } from "./frame.js";
-import { bindKeys, showKeys } from "./keys.js";
+import { bindKeys, leave, showKeys } from "./keys.js";
 import { WorkList } from "./list.js";
 import { Notes } from "./notes.js";
 import { settings } from "./settings.js";
+import { capital, counted } from "./words.js";
 import { ByHand, finish, Student } from "./work/by_hand.js";
 import { Comments } from "./work/comments.js";
 import { Head } from "./work/head.js";
@@ -31,7 +33,8 @@ const causes = new Causes(desk);
 new Reasons(desk, replay, source, (cause) => causes.open(cause));
 const rubric = new Rubric(desk);
 const hand = new ByHand(desk);
-const decide = tabs("Decide", [["rubric", "Rubric", rubric.panel], ["hand", "By hand", hand.panel], ["student", "Student", new Student(desk).panel]]);
+const student = new Student(desk);
+const decide = tabs("Decide", [["rubric", "Rubric", rubric.panel], ["hand", "By hand", hand.panel], ["student", "Student", student.panel]]);
 byId("decide").append(decide.bar, ...decide.panels);
 new Conflicts(desk);
 new StatisticsView(desk, (cause) => causes.open(cause));
@@ -50,6 +53,29 @@ bindKeys({
     decide.choose("hand");
     hand.value.focus();
   },
+  newItem: () => {
+    pane("decide");
+    decide.choose("rubric");
+    rubric.edit(null);
+    rubric.title.focus();
+  },
+  lines: () => {
+    pane("source");
+    source.enter();
+  },
+  reasons: () => {
+    pane("reasons");
+    byId("tab-lost").focus();
+  },
+  student: () => {
+    pane("decide");
+    decide.choose("student");
+    student.first.focus();
+  },
+  causes: () => {
+    causes.open(desk.view === "work" ? (desk.row?.causes[0] ?? "") : "");
+    leave(desk);
+  },
   finish: () => void finish(desk),
   search: () => {
     pane("list");
@@ -57,6 +83,7 @@ bindKeys({
     list.search?.select();
   },
 });
+byId("trouble").addEventListener("click", tellProblems);
 byId("keys-button").addEventListener("click", showKeys);
 desk.on(["class", "link"], showTop);
 desk.on(["marking"], showMarking);
@@ -98,10 +125,15 @@ function showTop() {
   if (data) {
     write(byId("title"), data.title);
     document.title = `${data.title} · grading desk`;
-    write(byId("me"), data.me.name || data.me.id);
+    write(byId("me"), inText(data.me.name || data.me.id));
     const problems = data.problems ?? [];
-    if (problems.length && problems.join() !== showTop.told) desk.notes.problem("Some files of this marking cannot be read:", problems);
-    showTop.told = problems.join();
+    if (problems.join() !== showTop.told) {
+      showTop.told = problems.join();
+      tellProblems();
+    }
+    const trouble = byId("trouble");
+    trouble.hidden = !problems.length;
+    write(trouble, counted(problems.length, "problem"));
   }
   const state = byId("link-state");
   write(state, online ? "" : "no answer from the desk");
@@ -109,6 +141,16 @@ function showTop() {
 }
 
 showTop.told = "";
+
+/** Say what is wrong with files; the button in the bar says it again. */
+function tellProblems() {
+  const problems = desk.data?.problems ?? [];
+  tellProblems.note?.remove(); // what it says is over, or said anew
+  if (problems.length) tellProblems.note = desk.notes.problem(problems.length === 1 ? "There is a problem with the files of this marking:" : "There are problems with the files of this marking:", problems.map(capital));
+}
+
+/** @type {HTMLElement | null} */
+tellProblems.note = null;
 
 function showMarking() {
   const place = byId("marking");

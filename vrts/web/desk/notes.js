@@ -26,7 +26,7 @@ export class Notes {
     this.fade(note);
   }
 
-  /** Say what was not done: stays until somebody has read it. @param {string} text @param {string[]} details @param {(() => void) | null} again */
+  /** Say what was not done: stays until somebody has read it. @param {string} text @param {string[]} details @param {(() => void) | null} again @returns {HTMLElement} the note */
   problem(text, details = [], again = null) {
     const note = this.add([text, ...details].join("\n"), "note warn");
     if (again) {
@@ -36,12 +36,13 @@ export class Notes {
       }));
     }
     note.append(button("Close", () => note.remove()));
+    return note;
   }
 
   /** @param {string} text @param {string} kind */
   add(text, kind) {
     for (const old of Array.from(this.place.children)) if (old.querySelector("p")?.textContent === text) old.remove();
-    const note = make("div", { class: kind }, make("p", {}, ...prose(text)));
+    const note = make("div", { class: kind }, make("p", { dir: "auto" }, ...prose(text)));
     this.place.append(note);
     while (this.place.children.length > MOST) this.place.firstChild?.remove();
     return note;

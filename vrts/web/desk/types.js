@@ -11,7 +11,8 @@
  *   excused: boolean | string | null, conflict: boolean | string | null, report: boolean, order: number, why_next: string, set_by?: string[], own?: number | null, alone?: boolean, otherwise?: string, pending?: boolean}} Row
  */
 
-/** @typedef {{id: string, title: string, points: number | string, version: string, students: string[], withdrawn: boolean}} Item */
+/** @typedef {{record: string, who: string, name: string, at: string, title: string, points: number, withdrawn: boolean, undone_by: string | null}} Version */
+/** @typedef {{id: string, title: string, points: number | string, version: string, students: string[], withdrawn: boolean, versions: Version[]}} Item */
 /** @typedef {{key: string, kind: string, check: string | null, sentence: string, points: number | string, count: number, students: string[]}} Cause */
 /** @typedef {{record: string, who: string, at: string, sentence: string}} Side */
 /** @typedef {{id: string, about: string, student: string | null, sentence: string, sides: Side[]}} Conflict */
@@ -30,7 +31,7 @@
 /** @typedef {{record: string, who: string, name: string, at: string, line: number | null, time_s: number | null, text: string, private: boolean, stale: boolean, mine: boolean}} Comment */
 /** @typedef {{record: string, item: string, who: string, at: string, line: number | null, time_s: number | null, students: string[]}} Given */
 /** @typedef {{record: string, who: string, at: string, delta: number | string | null, mark: number | string | null, reason: string}} Change */
-/** @typedef {{record: string, who: string, name: string, at: string, sentence: string, undone_by: string | null, students: number}} Past */
+/** @typedef {{record: string, who: string, name: string, at: string, sentence: string, undone_by: string | null, students: number, at_once: string[], undone: number}} Past */
 /** @typedef {{at: string | null, mark: number | null, file: string | null}} Attempt */
 
 /**

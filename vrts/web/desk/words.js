@@ -22,10 +22,10 @@ function divisor(a, b) {
   return b ? divisor(b, a % b) : a || 1;
 }
 
-/** Return what somebody typed as a number, with a comma or a full stop; null where it is none. @param {string} text */
+/** Return what somebody typed as a number, with a comma or a full stop; null where it is none, or has more than the three decimals that are kept. @param {string} text */
 export function typed(text) {
   const plain = text.trim().replace("−", "-").replace(",", ".");
-  return /^[+-]?(\d+(\.\d*)?|\.\d+)$/.test(plain) ? Number(plain) : null;
+  return /^[+-]?(\d{1,6}(\.\d{0,3})?|\.\d{1,3})$/.test(plain) ? Number(plain) : null;
 }
 
 /** Return a mark as text. @param {number | string | null | undefined} value */
@@ -51,6 +51,11 @@ export function lost(value) {
 /** Return "1 student", "12 students". @param {number} count @param {string} one @param {string} many */
 export function counted(count, one, many = `${one}s`) {
   return `${count.toLocaleString("en")} ${count === 1 ? one : many}`;
+}
+
+/** Return a sentence with its first letter in upper case. @param {string} text */
+export function capital(text) {
+  return text.charAt(0).toUpperCase() + text.slice(1);
 }
 
 /** Return a moment of a run. @param {number} time_s */

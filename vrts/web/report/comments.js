@@ -120,7 +120,11 @@ export class Comments {
   card(comment, kind) {
     const box = make("div", kind);
     const words = make("p", "", comment.points ? `${comment.points}  ${comment.text}` : comment.text);
-    const about = make("p", "who", [comment.who, kind === "note" && comment.line ? `line ${comment.line}` : "", comment.hidden ? "not for the student" : ""].filter(Boolean).join(" · "));
+    words.dir = "auto";
+    const more = [kind === "note" && comment.line ? `line ${comment.line}` : "", comment.hidden ? "not for the student" : ""].filter(Boolean);
+    const about = make("p", "who");
+    if (comment.who) about.append(make("bdi", "", comment.who), more.length ? " · " : "");
+    about.append(more.join(" · "));
     const { t } = comment;
     if (t !== null && kind === "said") {
       const seek = document.createElement("button");

@@ -146,6 +146,8 @@ def test_hostile_words_stay_words() -> None:
     decided = Decided((Told(evil, evil, 9),), (Given("x", evil, "1", evil),), excused=evil)
     page = with_section(PAGE, decided, staff=False)
     assert b"<img" not in page
+    assert page.count(b'dir="auto"') == 4, "words and names turn nothing around that is beside them"
+    assert b"Excused: <bdi>" in page
     assert with_section(page, None, staff=False) == PAGE
     staff = Decided(conflicts=("differ",), lapsed=("old",))
     assert with_section(PAGE, staff, staff=False) == PAGE

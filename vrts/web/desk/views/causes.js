@@ -3,9 +3,10 @@
 import { button, byId, choice, make, onSubmit, prose, write } from "../../live/dom.js";
 import { amount, counted, exact, identifier, lost, mark, points, typed } from "../words.js";
 import { ask } from "../ask.js";
-import { missing } from "../missing.js";
+import { isolated } from "../../live/names.js";
+import { missing, POINTS, tooLong } from "../missing.js";
 import { apart, gives, guess } from "../work/giving.js";
-import { preview } from "../work/rubric.js";
+import { preview } from "../work/preview.js";
 
 /** @typedef {import("../desk.js").Desk} Desk */
 /** @typedef {import("../types.js").Cause} Cause */
@@ -30,9 +31,9 @@ export class Causes {
     this.students = make("table", { class: "listing" });
     this.what = choice([], { "aria-label": "What they are given" });
     this.what.addEventListener("change", () => this.fields());
-    this.item = make("input", { placeholder: "Title of the new item", "aria-label": "Title of the new item", maxlength: 300 });
-    this.points = make("input", { placeholder: "−0.5", "aria-label": "Points", class: "short", maxlength: 8 });
-    this.text = make("textarea", { placeholder: "Comment for all of them", "aria-label": "Comment for all of them", rows: 3, maxlength: 2000 });
+    this.item = make("input", { placeholder: "Title of the new item", "aria-label": "Title of the new item", dir: "auto" });
+    this.points = make("input", { placeholder: "−0.5", "aria-label": "Points", class: "short" });
+    this.text = make("textarea", { placeholder: "Comment for all of them", "aria-label": "Comment for all of them", rows: 3, dir: "auto" });
     this.go = make("button", { class: "main", text: "See what changes" });
     this.form = make("form", { class: "bulk-form", novalidate: true }, make("label", {}, "Give them ", this.what), this.item, this.points, this.text, this.go);
     onSubmit(this.form, () => void this.give());
@@ -111,8 +112,8 @@ export class Causes {
           tick();
         });
         const titles = row.items.map((id) => this.desk.data?.items.find((item) => item.id === id)?.title ?? id);
-        return make("tr", {}, make("th", { scope: "row" }, make("label", { class: "check" }, box, row.name)),
-          make("td", { class: "number", text: mark(row.final) }), make("td", { class: "soft", text: titles.join(", ") }));
+        return make("tr", {}, make("th", { scope: "row" }, make("label", { class: "check" }, box, isolated(row.name))),
+          make("td", { class: "number", text: mark(row.final) }), make("td", { class: "soft", dir: "auto", text: titles.join(", ") }));
       })));
     tick();
   }
@@ -122,6 +123,7 @@ export class Causes {
     const rows = this.all.filter((row) => !this.without.has(row.id));
     const text = this.text.value.trim();
     if (!rows.length) return missing(this.what, "Choose at least one student below.");
+    if (tooLong(this.text) || (this.what.value === NEW && tooLong(this.item))) return;
     if (this.what.value === CHANGE) return this.change(rows, text);
     /** @type {Said[]} */
     const records = [];
@@ -130,9 +132,9 @@ export class Causes {
     if (this.what.value === NEW) {
       const [title, value] = [this.item.value.trim(), typed(this.points.value)];
       if (!title) return missing(this.item, "Say what the item is about.");
-      if (value === null) return missing(this.points, "Points are a number, such as −0.5.");
+      if (value === null) return missing(this.points, POINTS);
       const id = identifier(title, new Set((desk.data?.items ?? []).map((one) => one.id)));
-      item = { id, title, points: value, version: "", students: [], withdrawn: false };
+      item = { id, title, points: value, version: "", students: [], withdrawn: false, versions: [] };
       records.push({ does: "item", id, title, points: exact(value) });
     } else if (!item && !text) {
       return missing(this.text, "Write the comment.");
@@ -158,7 +160,7 @@ export class Causes {
   /** Add points to the marks of all. @param {Row[]} rows @param {string} reason */
   async change(rows, reason) {
     const value = typed(this.points.value);
-    if (value === null) return missing(this.points, "Points are a number, such as −0.5.");
+    if (value === null) return missing(this.points, POINTS);
     if (!reason) return missing(this.text, "Give a reason: it is kept, and they read it.");
     const total = this.desk.data?.total ?? Infinity;
     if (Math.abs(value) > total) return missing(this.points, `Marks are out of ${total}: ${points(value)} cannot be meant.`);

@@ -2,6 +2,7 @@
 
 import { get } from "../api.js";
 import { button, byId, make, write } from "../../live/dom.js";
+import { inText } from "../../live/names.js";
 import { mark, moment } from "../words.js";
 
 /** @typedef {import("../desk.js").Desk} Desk */
@@ -59,7 +60,7 @@ export async function compare(desk, first, second) {
 
 /** @param {Detail} one */
 function nameOf(one) {
-  return one.row.name || one.row.id;
+  return inText(one.row.name || one.row.id);
 }
 
 /** Return a program; lines that the other one has too are marked. @param {Detail} one @param {Set<string>} other */

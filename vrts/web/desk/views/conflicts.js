@@ -1,8 +1,9 @@
 // What graders decided differently: both sides, and which of them counts.
 
 import { button, byId, make, prose, write } from "../../live/dom.js";
-import { missing } from "../missing.js";
-import { when } from "../words.js";
+import { inText, isolated } from "../../live/names.js";
+import { missing, tooLong } from "../missing.js";
+import { amount, when } from "../words.js";
 
 /** @typedef {import("../desk.js").Desk} Desk */
 /** @typedef {import("../types.js").Conflict} Conflict */
@@ -12,7 +13,7 @@ const WITH_FILE = "A change in `overrides.toml` and a decision by a grader diffe
 const WITHOUT = "Decide it again, or undo it in the history of the program.";
 
 /** What a conflict is about, in words. @type {Record<string, string>} */
-const ABOUT = { file: "a change in overrides.toml" };
+const ABOUT = { file: "a change in overrides.toml", finish: "the mark they finished with", extension: "the deadline" };
 
 /** The view. */
 export class Conflicts {
@@ -45,29 +46,37 @@ export class Conflicts {
   card(conflict) {
     const { desk } = this;
     const row = conflict.student ? desk.rows.get(conflict.student) : undefined;
-    const reason = make("input", { "aria-label": "Reason", placeholder: "Why this one holds", maxlength: 500, value: this.drafts.get(conflict.id) ?? "" });
+    const reason = make("input", { "aria-label": "Reason", placeholder: "Why this one holds", dir: "auto", value: this.drafts.get(conflict.id) ?? "" });
     reason.addEventListener("input", () => this.drafts.set(conflict.id, reason.value));
-    const title = make("h3", { text: row ? `${row.name}: ${ABOUT[conflict.about] ?? conflict.about}` : "A rubric item" });
+    const apart = row && conflict.about === "finish" ? difference(row) : "";
+    const title = make("h3", { text: row ? `${inText(row.name)}: ${ABOUT[conflict.about] ?? conflict.about}${apart}` : "A rubric item" });
     const decide = async (/** @type {string} */ keep, /** @type {string} */ sentence) => {
       if (!reason.value.trim()) {
         missing(reason, "Give a reason: it is kept with the decision.");
         return;
       }
+      if (tooLong(reason)) return;
       const over = conflict.sides.map((side) => side.record).filter((record) => record !== keep);
       if (await desk.act([{ does: "decide", keep, over, reason: reason.value.trim(), ...(conflict.student ? { students: [conflict.student] } : {}) }], `Decided: ${sentence}`)) this.drafts.delete(conflict.id);
     };
-    const look = row ? [make("p", {}, button(`Look at ${row.name}`, () => {
+    const look = row ? [make("p", {}, button(`Look at ${inText(row.name)}`, () => {
       desk.show("work");
       void desk.choose(row.id);
     }, { class: "as-link" }))] : [];
-    const told = make("p", {}, ...prose(conflict.sentence.charAt(0).toUpperCase() + conflict.sentence.slice(1)));
+    const told = make("p", { dir: "auto" }, ...prose(conflict.sentence.charAt(0).toUpperCase() + conflict.sentence.slice(1)));
     if (!conflict.sides.length) return make("section", { class: "dispute", "aria-label": conflict.sentence }, title, told, make("p", {}, ...prose(conflict.sentence.includes("`overrides.toml`") ? WITH_FILE : WITHOUT)), ...look);
     return make("section", { class: "dispute", "aria-label": conflict.sentence }, title, told,
       ...look,
       make("label", { class: "reason" }, "Reason ", reason),
       make("div", { class: "sides" }, ...conflict.sides.map((side) => make("article", { class: "side" },
-        make("p", { class: "soft", text: `${desk.nameOf(side.who)}, ${when(side.at)}` }),
-        make("p", { class: "what" }, ...prose(side.sentence)),
-        button("This one holds", () => void decide(side.record, side.sentence), { class: "main", "aria-label": `This one holds: ${desk.nameOf(side.who)}, ${side.sentence}` })))));
+        make("p", { class: "soft" }, isolated(side.who), `, ${when(side.at)}`),
+        make("p", { class: "what", dir: "auto" }, ...prose(side.sentence)),
+        button("This one holds", () => void decide(side.record, side.sentence), { class: "main", "aria-label": `This one holds: ${inText(side.who)}, ${side.sentence}` })))));
   }
+}
+
+/** Return how far the marks are apart that graders have finished with. @param {import("../types.js").Row} row */
+function difference(row) {
+  const marks = row.finished.flatMap((one) => amount(one.mark) ?? []);
+  return marks.length > 1 ? `, ${Math.round((Math.max(...marks) - Math.min(...marks)) * 1000) / 1000} apart` : "";
 }

@@ -1,6 +1,7 @@
 // The class in numbers: marks, checks, causes, attempts, graders.
 
 import { get } from "../api.js";
+import { inText, isolated } from "../../live/names.js";
 import { button, byId, make, prose } from "../../live/dom.js";
 import { counted, lost, mark } from "../words.js";
 import { histogram, progress, table } from "./charts.js";
@@ -44,7 +45,7 @@ export class StatisticsView {
       section("Causes", this.causes(data)),
       ...attempts(data, desk.total),
       section("Graders", data.graders.length ? table("Graders", ["Grader", "#Assigned", "#Finished", "#Mean"],
-        data.graders.map((row) => [desk.nameOf(row.who), String(row.rows), String(row.finished), mark(row.mean)])) : make("p", { class: "soft", text: "Nobody has decided anything yet." }),
+        data.graders.map((row) => [isolated(desk.nameOf(row.who)), String(row.rows), String(row.finished), mark(row.mean)])) : make("p", { class: "soft", text: "Nobody has decided anything yet." }),
         ...this.double(data)),
     );
     this.place.scrollTop = top;
@@ -74,11 +75,11 @@ export class StatisticsView {
     if (!data.double.length) return [];
     const { desk } = this;
     return [table("Marked by two", ["Student", "Marks", "#Difference"], data.double.map((row) => [
-      button(desk.rows.get(row.student)?.name ?? row.student, () => {
+      button(inText(desk.rows.get(row.student)?.name ?? row.student), () => {
         desk.show("work");
         void desk.choose(row.student);
       }, { class: "as-link" }),
-      Object.entries(row.marks).map(([who, value]) => `${desk.nameOf(who)} ${mark(value)}`).join(", "), mark(row.difference)]))];
+      Object.entries(row.marks).map(([who, value]) => `${inText(desk.nameOf(who))} ${mark(value)}`).join(", "), mark(row.difference)]))];
   }
 }
 

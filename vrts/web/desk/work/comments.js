@@ -1,21 +1,27 @@
 // Comments: on the program, a line of it, or the moment that is shown.
 
 import { button, byId, make, write } from "../../live/dom.js";
+import { inText, isolated } from "../../live/names.js";
+import { missing, tooLong } from "../missing.js";
 import { moment, when } from "../words.js";
 
 /** @typedef {import("../desk.js").Desk} Desk */
 /** @typedef {import("../types.js").Comment} Comment */
 
-/** Return a comment as it is shown. @param {Desk} desk @param {Comment} comment @param {(time_s: number) => void} jump */
-export function spoken(desk, comment, jump) {
+/**
+ * Return a comment as it is shown.
+ * @param {Desk} desk @param {Comment} comment @param {(time_s: number) => void} jump @param {string} place what is to be said of its line
+ */
+export function spoken(desk, comment, jump, place = "") {
   const box = make("div", { class: `comment${comment.private ? " private" : ""}` });
-  const about = make("p", { class: "soft" }, `${comment.name || comment.who}, ${when(comment.at)}`);
+  const about = make("p", { class: "soft" }, isolated(comment.name || comment.who), `, ${when(comment.at)}`);
+  if (place) about.append(" · ", make("b", { text: place }));
   if (comment.private) about.append(" · ", make("b", { text: "not for the student" }));
   if (comment.stale) about.append(" · ", make("b", { text: "about an earlier program" }));
   const time = comment.time_s;
   if (time !== null && time !== undefined) about.append(" · ", button(`at ${moment(time)}`, () => jump(time), { class: "jump" }));
-  about.append(" ", button("Undo", () => void desk.undo([comment.record], "The comment"), { class: "jump", "aria-label": `Undo the comment of ${comment.name || comment.who}` }));
-  box.append(make("p", { class: "said", text: comment.text }), about);
+  about.append(" ", button("Undo", () => void desk.undo([comment.record], "The comment"), { class: "jump", "aria-label": `Undo the comment of ${inText(comment.name || comment.who)}` }));
+  box.append(make("p", { class: "said", dir: "auto", text: comment.text }), about);
   return box;
 }
 
@@ -31,13 +37,13 @@ export class Comments {
     /** @type {number | null} */
     this.picked = null;
     this.list = make("div", { class: "loose" });
-    this.text = make("textarea", { id: "comment", rows: 2, maxlength: 2000, "aria-label": "Comment", placeholder: "Comment (C)" });
+    this.text = make("textarea", { id: "comment", rows: 2, dir: "auto", "aria-label": "Comment", placeholder: "Comment (C)" });
     this.line = place("line");
     this.time = place("moment");
     this.all = place("program");
     this.private = make("input", { type: "checkbox", id: "comment-private" });
     this.save = make("button", { class: "main", text: "Comment", title: "Comment (Ctrl+Enter)" });
-    const form = make("form", { class: "write" },
+    const form = make("form", { class: "write", novalidate: true },
       this.text,
       make("div", { class: "where", role: "radiogroup", "aria-label": "The comment is about" }, this.all.label, this.time.label, this.line.label),
       make("div", { class: "row" },
@@ -51,9 +57,6 @@ export class Comments {
       if (event.key === "Enter" && (event.ctrlKey || event.metaKey)) {
         event.preventDefault();
         void this.send();
-      } else if (event.key === "Escape") {
-        this.text.blur();
-        byId("list").focus();
       }
     });
     this.text.addEventListener("input", () => this.drafts.set(this.of, this.text.value));
@@ -77,7 +80,7 @@ export class Comments {
     const lines = this.desk.detail?.source?.lines.length ?? 0;
     const loose = (this.desk.detail?.comments ?? []).filter((comment) => !comment.line || comment.line > lines);
     const had = this.list.contains(document.activeElement);
-    this.list.replaceChildren(...loose.map((comment) => spoken(this.desk, comment, (time) => this.replay.show(time))));
+    this.list.replaceChildren(...loose.map((comment) => spoken(this.desk, comment, (time) => this.replay.show(time), comment.line ? `on line ${comment.line}, which this program does not have` : "")));
     if (had) this.text.focus({ preventScroll: true }); // the comment that was undone is gone
   }
 
@@ -102,9 +105,10 @@ export class Comments {
   async send() {
     const [student, text] = [this.of, this.text.value.trim()];
     if (!student || !text) {
-      this.text.focus();
+      missing(this.text, "Write the comment.");
       return;
     }
+    if (tooLong(this.text)) return;
     /** @type {import("../types.js").Said} */
     const said = { does: "comment", student, text };
     if (this.line.input.checked && this.desk.line) said.line = this.desk.line;
@@ -114,7 +118,7 @@ export class Comments {
     }
     if (this.private.checked) said.private = true;
     this.save.disabled = true;
-    const done = await this.desk.act([said], `Commented on ${this.desk.rows.get(student)?.name ?? student}`);
+    const done = await this.desk.act([said], `Commented on ${inText(this.desk.rows.get(student)?.name ?? student)}`);
     this.save.disabled = false;
     if (!done) return; // what was typed is still there
     if (this.drafts.get(student)?.trim() === text || this.of === student) this.drafts.delete(student);

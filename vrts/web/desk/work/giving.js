@@ -1,5 +1,6 @@
 // Rubric items given and taken: the records for that, and what they likely do to marks.
 
+import { inText } from "../../live/names.js";
 import { after, amount } from "../words.js";
 
 /** @typedef {import("../types.js").Row} Row */
@@ -36,7 +37,7 @@ export function apart(rows, me) {
   const excused = rows.filter((row) => row.excused);
   const set = rows.filter((row) => !row.excused && (row.set_by ?? []).some((who) => who !== me));
   const out = new Set([...excused, ...set].map((row) => row.id));
-  const names = (/** @type {Row[]} */ some) => some.slice(0, 5).map((row) => row.name).join(", ") + (some.length > 5 ? ` and ${some.length - 5} more` : "");
+  const names = (/** @type {Row[]} */ some) => some.slice(0, 5).map((row) => inText(row.name)).join(", ") + (some.length > 5 ? ` and ${some.length - 5} more` : "");
   /** @type {string[]} */
   const why = [];
   if (set.length) why.push(`Left out, as another grader has set their mark: ${names(set)}.`);

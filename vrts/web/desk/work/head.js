@@ -1,6 +1,7 @@
 // Who is looked at: name, mark, what is odd, and what is done next.
 
 import { button, byId, make, write } from "../../live/dom.js";
+import { inText } from "../../live/names.js";
 import { difference } from "../list.js";
 import { mark, when } from "../words.js";
 
@@ -11,7 +12,7 @@ export class Head {
   /** @param {Desk} desk @param {() => void} finish */
   constructor(desk, finish) {
     this.desk = desk;
-    this.name = make("h2", { id: "row-name", text: "" });
+    this.name = make("h2", { id: "row-name", dir: "auto", text: "" });
     this.id = make("span", { class: "soft" });
     this.mark = make("b", { class: "final" });
     this.of = make("span", { class: "soft of" });
@@ -44,7 +45,7 @@ export class Head {
     link(this.report, detail?.report);
     link(this.sent, detail?.sent);
     this.chips.replaceChildren(...this.tags(row));
-    write(byId("heard"), `${row.name}, ${row.excused ? "excused" : `${mark(row.final)} of ${row.total ?? total}`}${row.unsafe.length ? ", unsafe" : ""}`);
+    write(byId("heard"), `${inText(row.name)}, ${row.excused ? "excused" : `${mark(row.final)} of ${row.total ?? total}`}${row.unsafe.length ? ", unsafe" : ""}`);
   }
 
   /** @param {import("../types.js").Row} row @returns {HTMLElement[]} */
@@ -59,11 +60,11 @@ export class Head {
     if (row.late && !row.unsafe.some((doubt) => doubt.reason === "late")) tags.push(tag(row.deduction ? `late, −${row.deduction}` : "late", "", row.late));
     if (row.due) tags.push(tag(`due ${when(row.due)}`, "", "A later deadline"));
     if (row.likeness) {
-      const others = row.likeness.with.map((id) => desk.rows.get(id)?.name ?? id).join(", ");
+      const others = row.likeness.with.map((id) => inText(desk.rows.get(id)?.name ?? id)).join(", ");
       tags.push(make("a", { class: "tag", target: "_blank", rel: "noopener", href: "/files/staff/similarity.html", title: `Like ${others}`, text: "alike" }));
     }
-    for (const who of row.assigned) tags.push(tag(who === desk.me ? "yours" : desk.nameOf(who), "", "Assigned"));
-    for (const one of row.finished) tags.push(tag(`✓ ${desk.nameOf(one.who)} ${mark(one.mark)}${one.stale ? " (earlier)" : ""}`, "", one.stale ? "Finished before the program or the mark changed" : "Finished"));
+    for (const who of row.assigned) tags.push(tag(who === desk.me ? "yours" : inText(desk.nameOf(who)), "", "Assigned"));
+    for (const one of row.finished) tags.push(tag(`✓ ${inText(desk.nameOf(one.who))} ${mark(one.mark)}${one.stale ? " (earlier)" : ""}`, "", one.stale ? "Finished before the program or the mark changed" : "Finished"));
     return tags;
   }
 }

@@ -1,5 +1,6 @@
 // Why the mark is what it is: what was lost and when, the checks, the steps, and what graders did.
 
+import { inText, isolated } from "../../live/names.js";
 import { button, byId, figure, make, prose } from "../../live/dom.js";
 import { counted, lost, mark, moment, points, when } from "../words.js";
 import { ask } from "../ask.js";
@@ -81,8 +82,8 @@ export class Reasons {
         if (!row) { // of another folder: its program stands on the pages of the comparison alone
           return make("li", {}, make("p", { text: id }), make("a", { href: ALIKE, target: "_blank", rel: "noopener", "aria-label": `Compare with ${id}`, text: "Compare" }));
         }
-        return make("li", {}, make("p", {}, button(row.name, () => void this.desk.choose(id), { class: "as-link" })),
-          button("Compare", () => void compare(this.desk, detail.row.id, id), { class: "jump", "aria-label": `Compare with ${row.name}` }));
+        return make("li", {}, make("p", {}, button(inText(row.name), () => void this.desk.choose(id), { class: "as-link" })),
+          button("Compare", () => void compare(this.desk, detail.row.id, id), { class: "jump", "aria-label": `Compare with ${inText(row.name)}` }));
       })), ...(like.with.length > MOST_ALIKE ? [make("p", { class: "soft", text: `and ${like.with.length - MOST_ALIKE} more` })] : [])];
   }
 
@@ -101,16 +102,33 @@ export class Reasons {
     await this.desk.undo([one.record], one.sentence);
   }
 
+  /** Undo an undo: it may have undone more than this. @param {import("../types.js").Past} one @param {string} by */
+  async redo(one, by) {
+    const others = one.undone - 1;
+    if (others && !(await ask(`Bring back ${counted(one.undone, "decision")}?`, [make("p", { dir: "auto" }, `It was undone together with ${counted(others, "other")}, and all of them come back: `, ...prose(one.sentence))], "Bring back"))) return;
+    await this.desk.undo([by], `undoing of ${one.sentence}`);
+  }
+
+  /** Undo what one deed wrote of many. @param {import("../types.js").Past} one */
+  async undoAll(one) {
+    const all = counted(one.at_once.length, "student");
+    if (await ask(`Undo it for ${all}?`, [make("p", { dir: "auto" }, "This was written at once for all of them: ", ...prose(one.sentence))], "Undo")) await this.desk.undo(one.at_once, `${one.sentence}, for ${all}`);
+  }
+
   /** @param {import("../types.js").Detail} detail */
   past(detail) {
     if (!detail.history.length) return [make("p", { class: "soft", text: "Nobody has decided anything here yet." })];
     return [make("ul", { class: "past" }, ...[...detail.history].reverse().map((one) => {
       const entry = make("li", { class: one.undone_by ? "undone" : "" },
-        make("p", {}, ...prose(one.sentence)),
-        make("p", { class: "soft", text: `${one.name || one.who}, ${when(one.at)}${one.students > 1 ? `, for ${counted(one.students, "student")}` : ""}${one.undone_by ? `, undone by ${one.undone_by.split(":")[0]}` : ""}` }));
+        make("p", { dir: "auto" }, ...prose(one.sentence)),
+        make("p", { class: "soft" }, isolated(one.name || one.who), `, ${when(one.at)}${one.students > 1 ? `, for ${counted(one.students, "student")}` : ""}${one.undone_by ? `, undone by ${inText(this.desk.nameOf(one.undone_by.split(":")[0]))}` : ""}`));
       const by = one.undone_by;
-      if (by) entry.append(button("Undo the undo", () => void this.desk.undo([by], `undoing of ${one.sentence}`), { class: "jump", "aria-label": `Undo the undo: ${one.sentence}` }));
-      else entry.append(button("Undo", () => void this.undo(one), { class: "jump", "aria-label": `Undo: ${one.sentence}` }));
+      if (by) entry.append(button("Undo the undo", () => void this.redo(one, by), { class: "jump", "aria-label": `Undo the undo: ${one.sentence}` }));
+      else if (one.at_once.length > 1) {
+        const all = one.at_once;
+        entry.append(make("p", { class: "jumps" }, button("Undo", () => void this.undo(one), { class: "jump", "aria-label": `Undo: ${one.sentence}` }),
+          button(`for all ${all.length} who got it at once`, () => void this.undoAll(one), { class: "jump", "aria-label": `Undo for all ${all.length}: ${one.sentence}` })));
+      } else entry.append(button("Undo", () => void this.undo(one), { class: "jump", "aria-label": `Undo: ${one.sentence}` }));
       return entry;
     }))];
   }

@@ -2,15 +2,17 @@
 
 import { button, make, onSubmit } from "../../live/dom.js";
 import { ask } from "../ask.js";
-import { missing } from "../missing.js";
-import { after, amount, counted, exact, identifier, mark, points, typed } from "../words.js";
+import { inText } from "../../live/names.js";
+import { missing, POINTS, tooLong } from "../missing.js";
+import { amount, counted, exact, identifier, points, typed } from "../words.js";
+import { preview } from "./preview.js";
+import { Versions } from "./versions.js";
 import { changing, gives, guess } from "./giving.js";
 
 /** @typedef {import("../desk.js").Desk} Desk */
 /** @typedef {import("../types.js").Item} Item */
 
 const KEYS = "1234567890";
-const LISTED = 40; // students in a preview
 
 /** The items, and the form of a new or changed one. */
 export class Rubric {
@@ -22,14 +24,15 @@ export class Rubric {
     /** The item that is changed; null: a new one. @type {Item | null} */
     this.changed = null;
     this.sending = false;
-    this.title = make("input", { "aria-label": "Title of the item", placeholder: "New item, such as: grip not checked", maxlength: 300, id: "item-title" });
-    this.points = make("input", { "aria-label": "Points: negative takes off", placeholder: "−0.5", inputmode: "text", maxlength: 8, class: "short" });
+    this.title = make("input", { "aria-label": "Title of the item", placeholder: "New item, such as: grip not checked", dir: "auto", id: "item-title" });
+    this.points = make("input", { "aria-label": "Points: negative takes off", placeholder: "−0.5", inputmode: "text", class: "short" });
     this.save = make("button", { text: "Add and give" });
     this.cancel = button("Cancel", () => this.edit(null), { hidden: true });
     this.withdraw = button("Withdraw", () => void this.write(true), { hidden: true, title: "Nobody has it any more" });
     this.form = make("form", { class: "item-form", novalidate: true }, this.title, make("div", { class: "row" }, this.points, this.save, this.withdraw, this.cancel));
     onSubmit(this.form, () => void this.write(false));
-    this.panel = make("div", {}, this.list, this.about, this.form);
+    this.versions = new Versions(desk, (undo) => void this.around(undo));
+    this.panel = make("div", {}, this.list, this.about, this.form, this.versions.ofOne, this.versions.withdrawn);
     desk.on(["class", "chosen", "detail"], () => this.fill());
     desk.on(["moment"], () => this.where());
   }
@@ -43,11 +46,12 @@ export class Rubric {
       const give = button("", () => this.toggle(item), { class: "give", "aria-pressed": String(has), "data-key": `give ${item.id}`, disabled: !row });
       give.append(
         make("kbd", { text: KEYS[k] ?? "", "aria-hidden": "true" }),
-        make("span", { class: "item-title", text: item.title }),
+        make("span", { class: "item-title", dir: "auto", text: item.title }),
         make("span", { class: "points", text: points(item.points) }));
       return make("li", {}, give, make("span", { class: "soft count", text: String(item.students.length), title: `${counted(item.students.length, "student")} have it` }),
         button("Edit", () => this.edit(item), { class: "jump", "data-key": `edit ${item.id}`, "aria-label": `Edit for all: ${item.title}` }));
     }));
+    this.versions.fill(this.changed);
     if (had) [...this.list.querySelectorAll("button")].find((one) => one.dataset.key === had)?.focus({ preventScroll: true });
     this.where();
   }
@@ -59,6 +63,15 @@ export class Rubric {
     if (this.sending || !changed || !now || now.version === changed.version) return;
     this.changed = now;
     this.desk.notes.problem(`Meanwhile “${changed.title}” was changed to: ${now.title}, ${points(now.points)}${now.withdrawn ? ", withdrawn" : ""}.`, ["What you typed is kept, and would take its place."]);
+  }
+
+  /** Undo a version of an item: the form that was opened for that is done with. @param {() => Promise<unknown>} undo */
+  async around(undo) {
+    this.sending = true;
+    await undo();
+    this.sending = false;
+    const now = this.desk.data?.items.find((item) => item.id === this.changed?.id);
+    if (this.changed && now?.version !== this.changed.version) this.edit(null);
   }
 
   /** Say where a given item would stand. */
@@ -80,7 +93,7 @@ export class Rubric {
     const { row } = this.desk;
     if (!row) return;
     if (row.items.includes(item.id)) void this.take(item);
-    else void this.desk.act(gives(item, [row.id], { line: this.desk.line }), `Gave “${item.title}” to ${row.name}`, [guess(row, item, true)]);
+    else void this.desk.act(gives(item, [row.id], { line: this.desk.line }), `Gave “${item.title}” to ${inText(row.name)}`, [guess(row, item, true)]);
   }
 
   /** Take an item away: whoever gave it. @param {Item} item */
@@ -96,7 +109,7 @@ export class Rubric {
     // what was given to several at once stays with the others
     const others = [...new Set(given.flatMap((one) => one.students))].filter((id) => id !== row.id && this.desk.rows.get(id)?.items.includes(item.id));
     const records = [{ does: "undo", records: given.map((one) => one.record) }, ...(others.length ? [{ does: "give", item: item.id, students: others }] : [])];
-    void this.desk.act(records, `Took “${item.title}” from ${row.name}`, [guess(row, item, false)]);
+    void this.desk.act(records, `Took “${item.title}” from ${inText(row.name)}`, [guess(row, item, false)]);
   }
 
   /** Fill the form with an item, or with a new one. @param {Item | null} item */
@@ -106,6 +119,7 @@ export class Rubric {
     this.points.value = item ? points(item.points).replace("±", "") : "";
     this.save.textContent = item ? "Change for all" : "Add and give";
     this.cancel.hidden = this.withdraw.hidden = !item;
+    this.versions.fill(item);
     if (item) this.title.focus();
   }
 
@@ -113,7 +127,8 @@ export class Rubric {
   async write(withdrawn) {
     const [title, value, item] = [this.title.value.trim(), typed(this.points.value), this.changed];
     if (!title) return missing(this.title, "Say what the item is about.");
-    if (value === null) return missing(this.points, "Points are a number, such as −0.5 or 1.");
+    if (tooLong(this.title)) return;
+    if (value === null) return missing(this.points, POINTS);
     const { row } = this.desk;
     const taken = new Set((this.desk.data?.items ?? []).map((one) => one.id));
     /** @type {import("../types.js").Said} */
@@ -128,26 +143,13 @@ export class Rubric {
       if (!(await ask(`Changes ${counted(open.length, "student")}`, body, withdrawn ? "Withdraw" : "Change for all"))) return;
     }
     /** @type {import("../types.js").Item} */
-    const made = { id: said.id, title, points: value, version: "", students: [], withdrawn: false };
+    const made = { id: said.id, title, points: value, version: "", students: [], withdrawn: false, versions: [] };
     const records = !item && row ? [said, ...gives(made, [row.id], { line: this.desk.line })] : [said];
-    const words = item ? `${withdrawn ? "Withdrew" : "Changed"} “${title}” for ${counted(item.students.length, "student")}` : `Added “${title}”${row ? ` and gave it to ${row.name}` : ""}`;
+    const words = item ? `${withdrawn ? "Withdrew" : "Changed"} “${title}” for ${counted(item.students.length, "student")}` : `Added “${title}”${row ? ` and gave it to ${inText(row.name)}` : ""}`;
     this.sending = true;
     const done = await this.desk.act(records, words);
     this.sending = false;
     if (done) this.edit(null);
     else this.keepUp(); // what was typed stays, and goes on from the item as it is now
   }
-}
-
-/** Return whose marks change, and to what. @param {import("../types.js").Row[]} rows @param {number} by */
-export function preview(rows, by) {
-  if (!rows.length) return make("p", { text: "Nobody has it: no mark changes." });
-  const box = make("div", {});
-  box.append(make("p", { class: "soft", text: by ? `Each mark changes by ${points(by)}, within what is possible; the server computes it.` : "No mark changes." }));
-  box.append(make("table", { class: "preview" },
-    make("thead", {}, make("tr", {}, make("th", { scope: "col", text: "Student" }), make("th", { scope: "col", class: "number", text: "Now" }), make("th", { scope: "col", class: "number", text: "Then" }))),
-    make("tbody", {}, ...rows.slice(0, LISTED).map((row) => make("tr", {},
-      make("th", { scope: "row", text: row.name }), make("td", { class: "number", text: mark(row.final) }), make("td", { class: "number", text: mark(after(row.final, by, row.total)) }))))));
-  if (rows.length > LISTED) box.append(make("p", { class: "soft", text: `and ${rows.length - LISTED} more` }));
-  return box;
 }

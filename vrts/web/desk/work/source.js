@@ -123,6 +123,11 @@ export class Source {
     (this.numberOf(line) ?? this.numberOf(1))?.setAttribute("tabindex", "0");
   }
 
+  /** Go to the lines by keyboard. */
+  enter() {
+    /** @type {HTMLElement | null} */ (this.list.querySelector("button.n[tabindex='0']"))?.focus();
+  }
+
   /** @param {number} line @returns {HTMLElement | null} */
   numberOf(line) {
     return this.lines[line - 1]?.querySelector("button.n") ?? null;
