@@ -24,7 +24,7 @@ from vrts.scene.model import Scene
 _Part: TypeAlias = tuple[str, str, Sequence[str]]  # heading, words before the lines, lines
 
 TOLD = {
-    Hints.NOTHING: "hints: vrts tells what is wrong, and nothing of what would mend it",
+    Hints.NOTHING: "hints: vrts tells what is wrong, but not how to mend it",
     Hints.PLACE: "hints: vrts may tell the line that has to be changed, and no more",
     Hints.DIRECTION: "hints: vrts may tell the line that has to be changed and in which direction",
     Hints.NUMBER: "hints: vrts may tell the number that has to be changed, and what would do",
@@ -50,7 +50,7 @@ def task_words(task: Task, scene: Scene, *, hidden: bool = False) -> str:
         ("### What costs points", "", _bullets(_costs(scheme))),
         ("### Speed", "", (_speed(task),)),
         ("### The exam", "", _bullets(exam_words(task))),
-        ("### What else is so", "", _bullets(_rest(task, hidden=hidden))),
+        ("### Other rules", "", _bullets(_rest(task, hidden=hidden))),
     ]
     return "\n".join(_section(*part) for part in parts if part[-1])
 
@@ -75,7 +75,7 @@ def _first(task: Task, scene: Scene) -> tuple[str, ...]:
             f"X, Y and Z are in mm from the robot's {origin}: X forward, Y to the left, Z up."
         )
     if task.goals:
-        said.append("Those of an object are of the middle of its underside.")
+        said.append("The place of an object is the middle of its underside.")
     if any(_shows_turns(goal, choice, scene) for goal in task.goals for choice in goal.choices):
         said.append(
             "Turns are counter-clockwise, seen from above; at 0 degrees an object is along X and Y."
@@ -90,8 +90,9 @@ def _targets(task: Task, every: Fraction, scene: Scene) -> _Part:
         return heading, "", ends
     times = number(float(task.mark.zero_at))
     intro = (
-        "In the end each object is at rest, and the hand has let go. Within what stands here it "
-        f"earns\nall its points, then less, and nothing from {times} times that on."
+        "In the end each object is at rest, and the hand has let go. An object within the limits "
+        f"below earns\nall its points. Farther off it earns less, and nothing from {times} times "
+        "these limits on."
     )
     total = sum((goal.weight for goal in task.targets), Fraction(0))
     said = [_goal(goal, scene) for goal in task.goals] + [_relation(one) for one in task.relations]

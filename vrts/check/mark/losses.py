@@ -41,7 +41,9 @@ NOTHING = Fraction(0)
 
 STOP_NOTHING = (LOCKED_SETTING, JOINT_SPEED)  # errors after which a program goes on
 
-NEVER_HINT = "look in the replay at where the hand closes: it never takes hold of it"
+NEVER_HINT = (
+    "look in the replay at the place where the hand closes: it does not take hold of this object"
+)
 SHORTFALL_HINT = "look at the end of the replay: where is the object, and where should it be?"
 VIA_HINTS = {
     Lack.DIRECTION: "compare the hand's direction there with the one that is asked for",

@@ -43,7 +43,7 @@ def test_the_rules_of_an_exam_are_told(folder: Path) -> None:
         "before it opens or after it closes does not count",
         "you have one attempt",
         "without a network",
-        "nothing of what would mend it",
+        "but not how to mend it",
     ):
         assert part in told
     assert "due:" not in told

@@ -125,7 +125,7 @@ def test_every_number_of_a_task_is_told(folder: Path) -> None:
         "nothing from 4 times",
         "upside down",
         "in mm from the robot's shoulder: X forward, Y to the left, Z up",
-        "of the middle of its underside",
+        "is the middle of its underside",
         "can1 on base2 (X 1100, Y 230, Z -200), within",
         "can2 on base1 (X 950, Y -130, Z -150, turned by 90 degrees), within 10 mm",
         "Turns are counter-clockwise",

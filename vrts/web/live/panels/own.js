@@ -29,7 +29,7 @@ export function mountOwn(app) {
     const mine = isMine(now) ? up : undefined;
     write(raise, mine ? "Change the words" : "Raise hand");
     lower.hidden = !mine;
-    write(stands, mine ? `${mine.name === now.name ? "Your hand is up" : `${mine.name} has raised a hand`}: ${ordinal(mine.place)} in the queue${mine.helping.length ? `; ${mine.helping.join(", ")} is here` : ""}.` : "Who leads the course sees your name and comes in.");
+    write(stands, mine ? `${mine.name === now.name ? "Your hand is up" : `${mine.name} has raised a hand`}: ${ordinal(mine.place)} in the queue${mine.helping.length ? `; ${mine.helping.join(", ")} is here` : ""}.` : "Those who lead the course see your name, and one of them comes in.");
   });
 
   // --- one's own
