@@ -2238,6 +2238,20 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/debug/conditions/test_machine_law.py",),
     ),
     Patch(
+        "what is let go of the machine's past takes along what still holds",
+        "vrts/engine/memory/track.py",
+        "first = bisect_right(self.times, before_s - INSTANT) - 1",
+        "first = bisect_right(self.times, before_s - INSTANT)",
+        ("tests/unit/engine/memory",),
+    ),
+    Patch(
+        "who takes a turn at checks twice keeps one for ever",
+        "vrts/live/session/marks/turns.py",
+        "if self._mine is not None:\n                return True",
+        "if False:\n                return True",
+        ("tests/unit/live/session/marks/test_turns.py",),
+    ),
+    Patch(
         "engine: where the arm goes is not noted for who asks later",
         "vrts/engine/memory/facts.py",
         "        self.aims.turn(*now, aim)\n",
