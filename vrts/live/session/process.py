@@ -20,33 +20,17 @@ from vrts.live.session.again.carrying_on import (
     carry_on,
     read_entries,
 )
-from vrts.live.session.channel.beats import AFTER_TICK, Beats, shows
 from vrts.live.session.channel.inbox import Inbox, Unreadable
-from vrts.live.session.channel.messages import (
-    AskBlock,
-    AskReach,
-    AskState,
-    Failed,
-    Json,
-    Pace,
-    Ready,
-    Sleep,
-    Start,
-    Stop,
-)
+from vrts.live.session.channel.messages import Failed, Json, Ready, Start, Stop
 from vrts.live.session.channel.messages import Unfit as UnfitState
 from vrts.live.session.channel.outbox import Outbox, ServerGone
+from vrts.live.session.going import Going
 from vrts.live.session.growing.folder import empty
-from vrts.live.session.growing.tidying import Tidying
 from vrts.live.session.known import Known, read
 from vrts.live.session.live_session import Session
-from vrts.live.session.looking.looker import Looker
-from vrts.live.session.marks.checker import Checker
 from vrts.live.session.marks.turns import Turns
 from vrts.live.session.setting import scene_sha256
-from vrts.live.session.sleeping.falling import Falling
 from vrts.live.session.sleeping.state import Unfit, woken
-from vrts.live.session.ways.ways import Ways
 from vrts.marking.supervise.limits import Limits, impose
 from vrts.pipeline.files import CannotRead
 from vrts.pipeline.refused import Refused
@@ -124,47 +108,16 @@ def _serve(
     model = setting.scene.controller
     said = (model.name, digest(model))
     outbox.send(Ready(start.session, session.epoch_s, arm, scene, title, carried_s, anew, *said))
-    tidying = Tidying()
-    with (
-        closing(Checker(session, turns=turns)) as checker,
-        closing(Looker(session, outbox.send)) as looker,
-        closing(Ways(session, outbox.send, clock)) as ways,
-    ):
-        beats, falling = Beats(clock()), Falling(session, checker, scene)
+    with closing(Going(session, scene, outbox, clock, turns)) as going:
         while not inbox.ended:
             for order in orders:
                 if isinstance(order, Stop):
                     outbox.flush()
                     return 0
-                if isinstance(order, Pace):
-                    beats.period_s, beats.seldom = 1.0 / order.rate, order.seldom
-                if isinstance(order, AskBlock | AskState):
-                    looker.ask(order)
-                    beats.bring_forward(clock())
-                if isinstance(order, Sleep):
-                    beats.bring_forward(clock())
-                falling.hear(order)
-                if isinstance(order, AskReach):
-                    ways.ask(order)
-                else:
-                    session.take(order)
-                if shows(order):
-                    beats.bring_forward(session.epoch_s + session.growing.next_tick_s + AFTER_TICK)
-            if clock() >= beats.due_s:
-                session.beat()
-                outbox.flush()  # who watches does not wait for what follows
-                checker.beat()
-                looker.beat()
-                tidying.beat(session.growing.time_s)
-                if (slept := falling.beat()) is not None:
-                    outbox.send(slept)
-                busy = session.under_way or looker.busy or falling.busy or checker.aside.busy
-                beats.kept(clock(), at_rest=not busy)
-            ways.beat()
-            outbox.flush()
+                going.hear(order)
+            going.beat()
             writable = [outbox] if outbox.waits else []
-            pause_s = max(beats.due_s - clock(), 0.0)
-            select.select([readable, *ways.heard], writable, [], pause_s)
+            select.select([readable, *going.ways.heard], writable, [], going.pause_s)
             orders = inbox.orders()
     return 0
 
