@@ -209,7 +209,9 @@ class PeoplePages:
             return body
         if not await self._hub.database.do(lambda c: end_by_hand(c, body.account)):
             help_ = "take others off the list of the class, or out of `course.toml`"
-            return refused(409, "person", "only who was added in this page is ended here", help_)
+            return refused(
+                409, "person", "only people who were added in this page are removed here", help_
+            )
         await self._people.refresh((body.account,))
         return Response(status_code=204)
 

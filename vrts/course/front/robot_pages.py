@@ -142,7 +142,7 @@ class RobotPages:
         if account is None:
             return _nobody()
         if not account.leads_any:
-            return refused(403, "role", "only who leads sees the robots of others")
+            return refused(403, "role", "only those who lead the course see the robots of others")
         words = request.query_params.get("find", "")[:LONGEST_WORDS]
         begin = request.query_params.get("from", "0")
         number = int(begin) if begin.isascii() and begin.isdigit() and len(begin) < 6 else 0

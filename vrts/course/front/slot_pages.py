@@ -123,7 +123,7 @@ class SlotPages:
         room, now = self._slots.room, wall()
         leads = room is not None and account.leads_in(room.id)
         if body.name and not leads:
-            raise NotObeyed("role", "only who leads books for others")
+            raise NotObeyed("role", "only those who lead the course book for others")
         person = await self._hub.database.do(lambda c: person_of(c, account.id))
         if not leads and (person is None or not person.listed):
             raise NotObeyed("role", "times are for those on a list of the course")

@@ -36,7 +36,7 @@ from vrts.live.store.course.people import name_of
 from vrts.live.store.database import Connection
 from vrts.live.tokens import digest, is_code
 
-NO_GUESTS: Final = (403, "guests", "only who is on the list comes in here", "log in instead")
+NO_GUESTS: Final = (403, "guests", "only people on the list come in here", "log in instead")
 LEFT: Final = (403, "left", "you are not on the list of this course any more", "ask your teacher")
 NOT_ALLOWED: Final = (403, "role", "only a supervisor may do this")
 

@@ -31,7 +31,7 @@ class PastPages:
             return refused(404, "past", "there is no such past any more")
         members = [m for m in room.members.values() if m.account.id == account.id]
         if not members:
-            return refused(403, "room", "only who is in a room may look at its past")
+            return refused(403, "room", "only people in a room may look at its past")
         if not members[0].looks.take(steady()):
             return refused(429, "rate", "too many questions at once", "wait a moment")
         process = room.process

@@ -42,7 +42,7 @@ RATE: Final = (0.5, 20.0)  # requests of a person that write, a second and at on
 PERSONS: Final = 2000  # whose requests are counted
 LONGEST_WORD: Final = 128  # characters of what an address holds
 NO_CONTROL: Final = (
-    "only who has control saves programs for the room",
+    "only the person who has control saves programs for the room",
     "take control, or save it for yourself",
 )
 FULL: Final = (

@@ -94,7 +94,7 @@ async def obey(hub: Hub, sessions: Sessions, member: Member, message: FromClient
         case LowerHand():
             helped = hub.rooms.get(message.room)
             if helped is None or not leads(member.account, helped):
-                raise NotObeyed("role", "only who leads takes a hand down")
+                raise NotObeyed("role", "only those who lead the room take a hand down")
             await lower_hand(hub, helped)
         case Say():
             await _say(hub, room, member, message, now)

@@ -138,7 +138,7 @@ def _within(member: Member, message: Supervision) -> None:
     match message:
         case Mute() | Unmute():
             help_ = "turn the chat off here, or send them away from this room"
-            raise NotObeyed("role", "who is muted is not heard in any room: ask a teacher", help_)
+            raise NotObeyed("role", "a muted person is not heard in any room: ask a teacher", help_)
         case MakeRooms() | Broadcast() | EndAnnouncement() | Project():
             raise NotObeyed("role", "this is for all rooms: ask a teacher")
         case Freeze(everywhere=True):

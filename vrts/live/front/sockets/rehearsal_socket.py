@@ -48,7 +48,7 @@ async def rehearsal_socket(
         return
     room = hub.rooms.get(websocket.query_params.get("room", ""))
     if room is None or not _is_in(room, account):
-        refusal = refused(403, "room", "only who is in a room may rehearse there")
+        refusal = refused(403, "room", "only people in a room may rehearse there")
         await websocket.send_denial_response(refusal)
         return
 
