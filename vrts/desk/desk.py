@@ -85,6 +85,8 @@ class Desk:
         with self._adding, locked(folder, LOCK):  # so that what was looked at still holds
             before = self.now()
             require_present(before.book)
+            if body.again and body.expect != before.revision:
+                raise Moved("something was decided since, perhaps this: look at the history")
             shown = self._remembered.of(body.expect)
             if shown is None:
                 raise Moved("the page is out of date: load it again")

@@ -27,6 +27,8 @@ from vrts.marking.layout import Layout
 from vrts.pipeline.files import CannotRead
 
 HOST: Final = "127.0.0.1"  # nobody else's machine can reach it
+MOST_WAYS: Final = 64  # pages of killed desks that are looked at
+LOOK_S: Final = 0.5  # until a desk of this machine has taken a connection
 
 
 def serve_desk(
@@ -95,6 +97,7 @@ def way_in(layout: Layout, address: str, port: int) -> Generator[Path]:
     page = ON.format("The desk", f'<meta http-equiv="refresh" content="0;url={address}">', "")
     try:
         place.parent.mkdir(exist_ok=True)
+        _forget_dead(place.parent)
         place.unlink(missing_ok=True)
         descriptor = os.open(place, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
         with os.fdopen(descriptor, "w", encoding="utf-8") as file:
@@ -106,6 +109,24 @@ def way_in(layout: Layout, address: str, port: int) -> Generator[Path]:
         yield place
     finally:
         place.unlink(missing_ok=True)
+
+
+def _forget_dead(folder: Path) -> None:
+    """Delete the pages of desks that were killed: they lead nowhere."""
+    for place in sorted(folder.glob(".desk-*.html"))[:MOST_WAYS]:
+        port = place.stem.removeprefix(".desk-")
+        if port.isdecimal() and not _listens(int(port)):
+            place.unlink(missing_ok=True)
+
+
+def _listens(port: int) -> bool:
+    try:
+        socket.create_connection((HOST, port), LOOK_S).close()
+    except TimeoutError:  # somebody is there, and busy
+        return True
+    except (OSError, OverflowError):  # nobody is, or it is no port
+        return False
+    return True
 
 
 class _Server(uvicorn.Server):

@@ -115,6 +115,19 @@ def test_a_mark_that_ends_at_its_bound_has_changed_all_the_same(layout: Layout) 
         more("1", shown)
 
 
+def test_what_is_sent_again_is_written_once(layout: Layout) -> None:
+    """The answer to the first time was lost: the page cannot know whether it was written."""
+    desk = Desk(layout.root, GraderTold("huber", "R. Huber"))
+    words, shown = [{"does": "comment", "student": "s0001", "text": "once"}], desk.now().revision
+    assert desk.add(Body(words, shown, again=True)).added == ("huber:9",), "it never came"
+    with pytest.raises(Moved):
+        desk.add(Body(words, shown, again=True))
+    after = Desk(layout.root, GraderTold("huber", "R. Huber"))  # it was killed meanwhile
+    with pytest.raises(Moved):
+        after.add(Body(words, shown, again=True))
+    assert [one.text for one in after.now().book.decided.of("s0001").comments] == ["once"]
+
+
 def test_what_could_not_be_read_for_a_moment_is_tried_again(
     layout: Layout, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -1,6 +1,7 @@
 """Who is let in, and how a browser learns of it; who is not, uses up nothing."""
 
 import asyncio
+import socket
 from collections.abc import AsyncIterator
 from pathlib import Path
 from typing import cast
@@ -29,6 +30,21 @@ def test_the_token_is_in_a_file_of_the_owner_while_the_desk_runs(tmp_path: Path)
         assert "url=http://127.0.0.1:8100/?token=secret" in place.read_text()
         assert place.stat().st_mode & 0o777 == 0o600
     assert not place.exists()
+
+
+def test_pages_of_killed_desks_go_and_those_of_others_stay(tmp_path: Path) -> None:
+    layout = Layout(tmp_path)
+    layout.decisions.mkdir(parents=True)
+    with socket.create_server(("127.0.0.1", 0)) as other, socket.socket() as dead:
+        dead.bind(("127.0.0.1", 0))  # nobody listens there
+        living, killed = (
+            layout.decisions / f".desk-{one.getsockname()[1]}.html" for one in (other, dead)
+        )
+        for page in (living, killed):
+            page.write_text("")
+        with way_in(layout, "http://127.0.0.1:8100/?token=secret", 8100):
+            assert living.exists()
+            assert not killed.exists()
 
 
 def test_who_leaves_before_events_begin_is_not_counted() -> None:

@@ -35,6 +35,7 @@ class Body(Struct, frozen=True, forbid_unknown_fields=True):
 
     records: Annotated[list[dict[str, Any]], Meta(min_length=1, max_length=MOST)]
     expect: Annotated[str, Meta(max_length=64)]
+    again: bool = False  # it was sent before, and nobody knows whether it was written
 
 
 class Rests(NamedTuple):

@@ -214,21 +214,22 @@ export class Desk {
    * Have records written: what they likely change is shown at once, and undone if the server refuses.
    * @param {Said[]} records @param {string} words what is then said to have been done @param {Row[]} guesses
    * @param {boolean} kept whether the key for undoing comes back to it
+   * @param {string | null} shown the revision that it is about: who tries again may have been heard the first time
    * @returns {Promise<boolean>} whether it was done
    */
-  act(records, words, guesses = [], kept = true) {
+  act(records, words, guesses = [], kept = true, shown = null) {
     const before = guesses.flatMap((row) => this.rows.get(row.id) ?? []);
     for (const row of guesses) this.rows.set(row.id, { ...row, own: likely(this.rows.get(row.id), row), pending: true });
     if (guesses.length) this.tell("class");
-    const written = this.queue.then(() => this.write(records, words, before, kept));
+    const written = this.queue.then(() => this.write(records, words, before, kept, { expect: shown ?? this.data?.revision ?? "", again: shown !== null }));
     this.queue = written;
     return written;
   }
 
-  /** @param {Said[]} records @param {string} words @param {Row[]} before @param {boolean} kept */
-  async write(records, words, before, kept) {
+  /** @param {Said[]} records @param {string} words @param {Row[]} before @param {boolean} kept @param {{expect: string, again: boolean}} about */
+  async write(records, words, before, kept, about) {
     try {
-      const written = /** @type {Written} */ (await post("/api/records", { records, expect: this.data?.revision ?? "" }));
+      const written = /** @type {Written} */ (await post("/api/records", { records, ...about }));
       this.take(written);
       this.linked(true);
       const given = new Set(records.flatMap((one) => (one.does === "give" ? one.students : [])));
@@ -239,7 +240,7 @@ export class Desk {
     } catch (problem) {
       for (const row of before) this.rows.set(row.id, row);
       this.tell("class");
-      this.failed(problem, () => void this.act(records, words, [], kept));
+      this.failed(problem, () => void this.act(records, words, [], kept, about.expect), true);
       if (problem instanceof NotDone && problem.kind === "changed") this.later();
       return false;
     }
@@ -294,12 +295,12 @@ export class Desk {
     }
   }
 
-  /** Say what went wrong. @param {unknown} problem @param {(() => void) | null} again */
-  failed(problem, again) {
+  /** Say what went wrong. @param {unknown} problem @param {(() => void) | null} again @param {boolean} writing whether something was to be written */
+  failed(problem, again, writing = false) {
     if (!(problem instanceof NotDone)) throw problem;
     if (problem.kind === "offline") {
       this.linked(false);
-      this.notes.problem(`${problem.message} Nothing was written; what you typed is kept.`, [], again);
+      this.notes.problem(problem.message, writing ? ["Whether it was written before that shows when the desk is there again. Here what you typed is kept."] : [], again);
     } else if (problem.kind === "changed") {
       this.notes.problem(`Not done, because something has changed meanwhile: ${lower(problem.message)}`, ["This page shows it as it is now."]);
     } else {
