@@ -1,9 +1,11 @@
 """Programs that seem to be made for the variant of somebody else.
 
 Two things tell: a comment that names another variant, and given or taught places that are exactly
-those of another variant. Neither changes a mark: a person looks at it.
+those of another variant, all of them, or more than are those of the own one. Neither changes a
+mark: a person looks at it.
 """
 
+from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import NamedTuple
 
@@ -20,6 +22,8 @@ from vrts.marking.variants.of_class import MarkerOfClass
 from vrts.scene.handling.withheld import all_locations
 
 NOBODY = "it is by nobody in the list of the class: marked by the task as it is written"
+THEIRS = "its places are those of"
+FEWEST = 2  # places of another variant that tell, whatever else a program has
 
 
 class Other(NamedTuple):
@@ -27,6 +31,18 @@ class Other(NamedTuple):
 
     tag: str
     why: str  # "it names", "its places are those of"
+
+
+class Places(NamedTuple):
+    """Locations of the scenes of a class, as programs show them."""
+
+    by_name: Mapping[str, Mapping[str, Values]]  # by tag and name
+    by_value: Mapping[Values, tuple[str, ...]]  # whose they are, by tags
+
+    def special(self, value: Values) -> tuple[str, ...]:
+        """Return the tags of the variants that have a value; none where all have it."""
+        tags = self.by_value.get(value, ())
+        return () if len(tags) == len(self.by_name) else tags
 
 
 def doubts_of(
@@ -47,7 +63,7 @@ def doubts_of(
         mark: Marks programs without writing anything.
         nameless: Whether students are not to be named.
     """
-    places = {tag: places_of(marker, tag) for tag in marker.places}
+    places = known({tag: places_of(marker, tag) for tag in marker.places})
     found: dict[str, str] = {}
     others: dict[str, Other] = {}
     for entry in entries:
@@ -77,40 +93,75 @@ def doubts_of(
     return found
 
 
-def other_variant(
-    program: bytes, own: str, places: Mapping[str, Mapping[str, Values]]
-) -> Other | None:
+def other_variant(program: bytes, own: str, places: Places) -> Other | None:
     """Return which other variant a program is made for, as far as it tells; None: its own.
 
     Args:
         program: What was handed in.
         own: Tag of the student's variant.
-        places: Locations of the scene of each variant, by tag and name.
+        places: Of the class.
     """
     named = [tag for tag in tags_in(program) if tag != own]
     if named:
         return Other(named[0], "it names")
     given = taught(program)
-    known = {name: values for name, values in given.items() if name in places[own]}
-    if not known:
+    mostly = _mostly(set(given.values()), own, places)
+    if mostly is not None:
+        return mostly
+    mine = places.by_name[own]
+    same = {name: values for name, values in given.items() if name in mine}
+    if not same:
         return _by_values(set(given.values()), own, places)
-    if all(values == places[own][name] for name, values in known.items()):
+    if all(values == mine[name] for name, values in same.items()):
         return None
-    for tag, scene in places.items():
-        if tag != own and all(values == scene.get(name) for name, values in known.items()):
-            return Other(tag, "its places are those of")
+    for tag, scene in places.by_name.items():
+        if tag != own and all(values == scene.get(name) for name, values in same.items()):
+            return Other(tag, THEIRS)
     return None
 
 
-def _by_values(
-    given: set[Values], own: str, places: Mapping[str, Mapping[str, Values]]
-) -> Other | None:
-    """Return whose places a program has that gives other names to them; the most decide."""
-    if given & set(places[own].values()):
+def known(by_name: Mapping[str, Mapping[str, Values]]) -> Places:
+    """Return the places of scenes, to be found by their values too.
+
+    Args:
+        by_name: Locations of the scene of each variant, by tag and name.
+    """
+    by_value: dict[Values, list[str]] = {}
+    for tag, scene in by_name.items():
+        for value in set(scene.values()):
+            by_value.setdefault(value, []).append(tag)
+    return Places(by_name, {value: tuple(tags) for value, tags in by_value.items()})
+
+
+def _mostly(given: set[Values], own: str, places: Places) -> Other | None:
+    """Return whose places a program has, if it has several, and more than of the own variant.
+
+    Places that are the same in all variants, and those that nobody has, tell nothing.
+    """
+    shared, mine = Counter[str](), 0
+    for value in given:
+        tags = places.special(value)
+        if own in tags:
+            mine += 1
+        else:
+            shared.update(tags)
+    if not shared:
         return None
-    shared = {tag: len(given & set(scene.values())) for tag, scene in places.items()}
-    tag = max(shared, key=lambda one: shared[one])
-    return Other(tag, "its places are those of") if shared[tag] else None
+    count = max(shared.values())
+    tag = min(tag for tag, number in shared.items() if number == count)
+    enough = count > max(mine, FEWEST - 1)
+    return Other(tag, f"{count} of its places are those of") if enough else None
+
+
+def _by_values(given: set[Values], own: str, places: Places) -> Other | None:
+    """Return whose places a program has that gives other names to them; the most decide."""
+    if given & set(places.by_name[own].values()):
+        return None
+    shared = Counter(tag for value in given for tag in places.by_value.get(value, ()))
+    if not shared:
+        return None
+    tag = max(places.by_name, key=lambda one: shared[one])
+    return Other(tag, THEIRS)
 
 
 def places_of(marker: MarkerOfClass, tag: str) -> dict[str, Values]:

@@ -6,7 +6,7 @@ from vrts.marking.intake.row import Platform, Row, Student
 from vrts.marking.intake.tables.roster import Member as Listed
 from vrts.marking.intake.tables.roster import Roster, read_roster
 from vrts.marking.variants.class_list import class_list
-from vrts.marking.variants.doubts import Other, other_variant
+from vrts.marking.variants.doubts import THEIRS, Other, known, other_variant
 from vrts.pipeline.files import CannotRead
 from vrts.pipeline.refused import Refused
 
@@ -14,9 +14,6 @@ PLACES = {
     "bbbb-cccc": {"grip": (1.0, 0, 0, 0, 0, 0), "put": (2.0, 0, 0, 0, 0, 0)},
     "dddd-ffff": {"grip": (3.0, 0, 0, 0, 0, 0), "put": (2.0, 0, 0, 0, 0, 0)},
 }
-
-
-THEIRS = "its places are those of"
 
 
 def program(grip: float, put: float, comment: str = "") -> bytes:
@@ -42,7 +39,43 @@ def program(grip: float, put: float, comment: str = "") -> bytes:
     ],
 )
 def test_a_program_tells_whose_variant_it_is(data: bytes, other: Other | None) -> None:
-    assert other_variant(data, "bbbb-cccc", PLACES) == other
+    assert other_variant(data, "bbbb-cccc", known(PLACES)) == other
+
+
+MANY = {  # of each: two cans, a base that may be the same, and what all have
+    f"bbbb-{tag}": {
+        "can1": (x, 1.0, 0, 0, 0, 0),
+        "can2": (x, 2.0, 0, 0, 0, 0),
+        "base": (base, 3.0, 0, 0, 0, 0),
+        "safe": (0.0, 0, 9, 0, 0, 0),
+    }
+    for tag, x, base in (("bbbb", 1.0, 1.0), ("cccc", 2.0, 2.0), ("dddd", 3.0, 2.0))
+}
+
+
+def with_places(names: tuple[str, ...], values: tuple[tuple[float, float], ...]) -> bytes:
+    lines = (f"{name} {x} {y} 0 0 0 0\n" for name, (x, y) in zip(names, values, strict=False))
+    return f".PROGRAM m()\n.END\n.LOCATIONS\n{''.join(lines)}safe 0 0 8 0 0 0\n.END\n".encode()
+
+
+@pytest.mark.parametrize(
+    ("values", "other"),
+    [
+        (((2, 1), (2, 2), (2, 3)), Other("bbbb-cccc", "3 of its places are those of")),
+        (((1, 1), (3, 2), (2, 3)), Other("bbbb-dddd", "2 of its places are those of")),
+        (((2, 1), (2, 2), (7, 7)), Other("bbbb-cccc", "2 of its places are those of")),
+        (((1, 1), (1, 2), (2, 3)), None),  # most are its own
+        (((1, 1), (1, 2), (2, 1), (2, 2)), None),  # as many
+        (((7, 1), (7, 2)), None),
+    ],
+)
+def test_another_place_of_ones_own_hides_no_copy(
+    values: tuple[tuple[float, float], ...], other: Other | None
+) -> None:
+    """`safe` is the student's own everywhere: a single such place hid all the others."""
+    for names in (("a", "b", "c", "d"), ("can1", "can2", "base", "d")):
+        program = with_places(names, values)
+        assert other_variant(program, "bbbb-bbbb", known(MANY)) == other
 
 
 def listed(number: str, email: str = "", login: str = "") -> Listed:
