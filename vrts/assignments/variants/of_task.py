@@ -10,6 +10,8 @@ All variants: `varied.variants.combination(n)` for n below `varied.variants.tota
 written but a folder of our own that vanishes.
 """
 
+import json
+import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -146,6 +148,12 @@ class VariedTask:
         self.check_readable(found)
         return found if start is None else {**found, START: start}
 
+    def meanings(self) -> dict[str, str]:
+        """Return digests of what students are told, by file: comments and layout do not count."""
+        found = {TASK: cut(self.sources[TASK])}
+        found |= {word: self.sources[word].text for word in (SCENE, SCENARIO) if word in self.names}
+        return {self.names[word]: _meaning(text) for word, text in found.items()}
+
     def check_readable(self, files: Mapping[str, bytes]) -> None:
         """Check that what students are handed out can be read.
 
@@ -237,6 +245,11 @@ def _unpacked(bundle: Bundle) -> TaskFiles:
     public = {name: d for name, d in bundle.files.items() if not name.startswith(inside)}
     staff = {name: d for name, d in bundle.files.items() if name.startswith(inside)}
     return TaskFiles(manifest.name, manifest.scene, public, staff, manifest.lab)
+
+
+def _meaning(text: str) -> str:
+    said = json.dumps(tomllib.loads(text), sort_keys=True, default=str)
+    return sha256(said.encode())
 
 
 def _noted(d: Diagnostic, note: str) -> Diagnostic:

@@ -93,12 +93,13 @@ def _drawn(
 
 
 def _handed(varied: "VariedTask", secret: bytes, place: Path, color: str) -> "Students":
-    """Return what was handed out by a key, and say so where nobody knows what it was."""
-    from vrts.marking.variants.handed import read_handed, record_gone
+    """Return what was handed out by a key, and say so where that is not known, or is past."""
+    from vrts.marking.variants.handed import changed_since, read_handed, record_gone
 
     assignment = varied.variants.assignment
     handed = read_handed(place, secret, assignment)
     show_diagnostics(record_gone(place, assignment, handed), color)
+    show_diagnostics(changed_since(place, secret, varied), color)
     return handed
 
 

@@ -84,6 +84,7 @@ def command(
     from vrts.marking.variants.hand_out import MOODLE, STUDENTS, TABLE, hand_out
     from vrts.marking.variants.handed import (
         changed,
+        changed_since,
         handed_bytes,
         read_handed,
         record_gone,
@@ -112,6 +113,7 @@ def command(
     varied = varied.with_key(secret)
     was = read_handed(place, secret, varied.variants.assignment)
     show_diagnostics(record_gone(place, varied.variants.assignment, was), color)
+    show_diagnostics(changed_since(place, secret, varied), color)
     given = variants_of(varied, members, secret, was)
     if given.gone:
         raise changed(given.gone, place)
@@ -124,7 +126,7 @@ def command(
             fail("nothing is written: not all variants are fit to be handed out", remedies, WRONG)
     handed = hand_out(varied, members, given.variants, versions)
     _check_no_others(target / STUDENTS, [Path(name).name for name in handed.files])
-    record = handed_bytes(place, secret, varied.variants, members, given)
+    record = handed_bytes(place, secret, varied, members, given)
     show_diagnostics(handed.told, color)
     if handed.same_pictures:
         say(f"note: these pictures are the same for all: {', '.join(handed.same_pictures)}")

@@ -24,6 +24,7 @@ from vrts.pipeline.files import read_bytes
 from vrts.pipeline.refused import Refused
 
 SCHEMA: Final = "vrts.handed/1"
+CHANGED: Final = Rule("V918", "changed-after-hand-out")
 NO_RECORD: Final = Rule("V779", "handed-out-unknown")
 DRAWN_AGAIN: Final = "what was handed out is not beside the key, so variants were drawn again"
 NOT_HANDED: Final = "`vrts task variants` has handed out no variant to this student"
@@ -37,12 +38,14 @@ class HandedTo(msgspec.Struct, frozen=True):
 
 
 Students: TypeAlias = dict[str, HandedTo]  # by platform and id: "moodle 4711"
+Files: TypeAlias = dict[str, str]  # digests by name
 
 
 class _File(msgspec.Struct, frozen=True):
     format: Literal["vrts.handed/1"]
     tasks: dict[str, Students]  # by `assignment`: several may have one key
     seal: str  # by the key
+    files: dict[str, Files] = {}  # by `assignment`: what the task said then
 
 
 class Given(NamedTuple):
@@ -140,7 +143,7 @@ def read_handed(place: Path, key: bytes, assignment: str) -> Students:
         Refused: It was not written with this key, or is of another assignment.
     """
     path = place_of_handed(place)
-    tasks = _tasks(path, key)
+    tasks = _read(path, key).tasks
     if place.name == NAME and tasks and assignment not in tasks:  # the key of one task
         headline = f"`assignment` is `{assignment}`, and variants were handed out for"
         headline += f" `{next(iter(tasks))}`"
@@ -149,8 +152,35 @@ def read_handed(place: Path, key: bytes, assignment: str) -> Students:
     return tasks.get(assignment, {})
 
 
+def changed_since(place: Path, key: bytes, varied: VariedTask) -> tuple[Diagnostic, ...]:
+    """Return a warning where a task says something else than when it was handed out.
+
+    Args:
+        place: Of the key.
+        key: The teacher's.
+        varied: The task as it is now.
+
+    Raises:
+        Refused: What is written beside the key was not written with it.
+    """
+    was = _read(place_of_handed(place), key).files.get(varied.variants.assignment)
+    now = varied.meanings()
+    if was is None or was == now:
+        return ()
+    names = [name for name in sorted({*was, *now}) if was.get(name) != now.get(name)]
+    shown = ", ".join(f"`{name}`" for name in names)
+    verb = "is another" if len(names) == 1 else "are others"
+    note = "students have it as it was then, and all are marked by what it says now"
+    remedies = (
+        "put it back as it was, or tell the students what has changed",
+        "nothing is to be done if it only became easier, such as a tolerance that is wider now",
+    )
+    headline = f"{shown} {verb} than when variants were handed out"
+    return (warning(CHANGED, headline, notes=(note,), help=remedies),)
+
+
 def handed_bytes(
-    place: Path, key: bytes, variants: Variants, members: ClassList, given: Given
+    place: Path, key: bytes, varied: VariedTask, members: ClassList, given: Given
 ) -> bytes:
     """Return what is written down beside a key; what others were handed out by it stays.
 
@@ -158,21 +188,33 @@ def handed_bytes(
         Refused: What is there was not written with this key.
     """
     students = {
-        name_of(members.platform, member): handed_to(variants, given.variants[member.number])
+        name_of(members.platform, member): handed_to(varied.variants, given.variants[member.number])
         for member in members.members
     }
-    return sealed_with(place, key, variants.assignment, students)
+    return sealed_with(place, key, varied.variants.assignment, students, varied.meanings())
 
 
-def sealed_with(place: Path, key: bytes, assignment: str, students: Students) -> bytes:
+def sealed_with(
+    place: Path, key: bytes, assignment: str, students: Students, files: Files | None = None
+) -> bytes:
     """Return what is written down beside a key with more students in it, or others' variants.
+
+    Args:
+        place: Of the key.
+        key: The teacher's.
+        assignment: Of the task.
+        students: Who is handed out what now.
+        files: What the task says; kept is what it said to the first of them. None: not known.
 
     Raises:
         Refused: What is there was not written with this key.
     """
-    tasks = _tasks(place_of_handed(place), key)
-    tasks.setdefault(assignment, {}).update(students)
-    data = msgspec.json.encode(_File(SCHEMA, tasks, _seal(key, tasks)), order="sorted")
+    record = _read(place_of_handed(place), key)
+    tasks, said = dict(record.tasks), dict(record.files)
+    if files is not None and assignment not in tasks:
+        said[assignment] = files
+    tasks[assignment] = {**tasks.get(assignment, {}), **students}
+    data = msgspec.json.encode(_File(SCHEMA, tasks, _seal(key, tasks, said), said), order="sorted")
     return msgspec.json.format(data, indent=1) + b"\n"
 
 
@@ -188,12 +230,12 @@ def variant_of(variants: Variants, was: HandedTo) -> Variant | None:
     return None if combination is None else Variant(combination, was.tag)
 
 
-def _tasks(path: Path, key: bytes) -> dict[str, Students]:
+def _read(path: Path, key: bytes) -> _File:
     if not os.path.lexists(path):
-        return {}
+        return _File(SCHEMA, {}, "")
     try:
         found = msgspec.json.decode(b"" if path.is_symlink() else read_bytes(path), type=_File)
-        sealed = hmac.compare_digest(found.seal, _seal(key, found.tasks))
+        sealed = hmac.compare_digest(found.seal, _seal(key, found.tasks, found.files))
     except (msgspec.DecodeError, UnicodeDecodeError, TypeError):
         found, sealed = _File(SCHEMA, {}, ""), False
     if not sealed:
@@ -203,11 +245,12 @@ def _tasks(path: Path, key: bytes) -> dict[str, Students]:
             "to draw all again, delete it, and hand out again",
         )
         raise Refused((error(BAD_KEY, headline, help=remedies),))
-    return found.tasks
+    return found
 
 
-def _seal(key: bytes, tasks: Mapping[str, Students]) -> str:
-    return hmac.new(key, msgspec.json.encode(tasks, order="sorted"), hashlib.sha256).hexdigest()
+def _seal(key: bytes, tasks: Mapping[str, Students], files: Mapping[str, Files]) -> str:
+    told = (tasks, files) if files else tasks  # before there were files: a record of an older vrts
+    return hmac.new(key, msgspec.json.encode(told, order="sorted"), hashlib.sha256).hexdigest()
 
 
 def name_of(platform: Platform, member: Member) -> str:

@@ -18,6 +18,7 @@ from vrts.marking.submission.setting import Place
 from vrts.marking.variants.class_list import ClassList, Member, class_list
 from vrts.marking.variants.handed import (
     Students,
+    changed_since,
     check_some_left,
     read_handed,
     record_gone,
@@ -59,8 +60,10 @@ class MarkerOfClass(VariantsMarker):
         self.members = members
         assignment = self.varied.variants.assignment
         was = read_handed(key, secret, assignment) if handed else Students()
-        self.findings = record_gone(key, assignment, was) if handed else ()
-        given = variants_of(self.varied, members, secret, was, lost=bool(self.findings))
+        gone = record_gone(key, assignment, was) if handed else ()
+        other = changed_since(key, secret, self.varied) if handed else ()
+        self.findings = (*gone, *other)
+        given = variants_of(self.varied, members, secret, was, lost=bool(gone))
         check_some_left(given, key)
         self._doubted = given.doubts
         self._whose = {number: variant.tag for number, variant in given.variants.items()}

@@ -1,5 +1,7 @@
 """What was handed out decides: a task or a list that has changed redraws nobody in silence."""
 
+import hashlib
+import hmac
 import shutil
 import zipfile
 from dataclasses import replace
@@ -31,6 +33,7 @@ from vrts.marking.variants.handed import (
     DRAWN_AGAIN,
     NOT_HANDED,
     Students,
+    changed_since,
     check_some_left,
     handed_bytes,
     read_handed,
@@ -63,7 +66,7 @@ def members(*numbers: str, domain: str = "b.c") -> ClassList:
 
 def written(varied: VariedTask, place: Path, who: ClassList) -> Students:
     given = variants_of(varied, who, KEY, {})
-    place_of_handed(place).write_bytes(handed_bytes(place, KEY, varied.variants, who, given))
+    place_of_handed(place).write_bytes(handed_bytes(place, KEY, varied, who, given))
     return read_handed(place, KEY, varied.variants.assignment)
 
 
@@ -124,6 +127,45 @@ def test_what_is_gone_or_was_handed_to_nobody_is_doubtful_and_a_new_task_is_refu
     with pytest.raises(Refused) as refused:
         check_some_left(none, place)
     assert "what was handed out to `N 1`, `N 2`" in refused.value.diagnostics[0].headline
+
+
+def test_a_task_that_says_something_else_than_was_handed_out_is_told(
+    lab: Path, varied: VariedTask, tmp_path: Path
+) -> None:
+    place, own = tmp_path / NAME, tmp_path / "lab1"
+    written(varied, place, members("1", "2"))
+    shutil.copytree(lab, own)
+
+    def told() -> list[str]:
+        return [d.headline for d in changed_since(place, KEY, load_varied(own))]
+
+    task, scene = own / "task.toml", own / "scene.toml"
+    was = task.read_text()
+    task.write_text(f"# for those who come late\n{was}".replace("from = 720", "from = 690"))
+    assert told() == []  # a comment, and `[variants]`
+    task.write_text(was.replace("position_mm = 5", "position_mm = 3"))
+    assert told() == ["`task.toml` is another than when variants were handed out"]
+    task.write_text(was)
+    scene.write_text(scene.read_text().replace('color = "steel"', 'color = "red"'))
+    assert told() == ["`scene.toml` is another than when variants were handed out"]
+    later = load_varied(own)
+    written(later, place, members("1", "2", "3"))  # what the first ones were told stays
+    assert told()
+    data = place_of_handed(place).read_bytes()
+    place_of_handed(place).write_bytes(data.replace(b'"scene.toml"', b'"scene"'))
+    with pytest.raises(Refused):
+        changed_since(place, KEY, later)
+
+
+def test_a_record_of_an_earlier_vrts_is_read(varied: VariedTask, tmp_path: Path) -> None:
+    place = tmp_path / NAME
+    handed = written(varied, place, members("1"))
+    tasks = {varied.variants.assignment: handed}
+    sealed = hmac.new(KEY, msgspec.json.encode(tasks, order="sorted"), hashlib.sha256).hexdigest()
+    record = {"format": "vrts.handed/1", "tasks": tasks, "seal": sealed}
+    place_of_handed(place).write_bytes(msgspec.json.encode(record))
+    assert read_handed(place, KEY, varied.variants.assignment) == handed
+    assert changed_since(place, KEY, varied) == ()
 
 
 def test_what_is_written_down_is_sealed(varied: VariedTask, tmp_path: Path) -> None:
