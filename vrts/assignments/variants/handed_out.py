@@ -17,11 +17,13 @@ from vrts.assignments.variants.your_numbers import MAP, tag_line, with_part, you
 from vrts.base.diagnostic import Diagnostic
 from vrts.base.source import SourceFile
 from vrts.check.variants.drawn import Variant
+from vrts.pipeline.files import TASK_FILE
 from vrts.pipeline.setting import Setting
 from vrts.report.scene_drawing import scene_svg
 from vrts.scene.model import Scene
 
 PICTURES = "pictures/"
+ZIP_OF_ALL = re.compile(rb"[^\s`'\"/]+-student\.zip\b")  # of `vrts task pack`: here nobody has it
 _TAG = re.compile(
     rb"^[^\r\n;]*;[^\r\n]*\bvariant[ \t]+([b-z]{4}-[b-z]{4})\b", re.MULTILINE | re.IGNORECASE
 )
@@ -71,7 +73,9 @@ def handed_out(
     if not page:
         page = f"# {public.task.title}\n\n{public.task.description}\n"
     page = written(page, task_words(public.task, scene, hidden=varied.base.hidden > 0))
-    files[README] = with_part(page, your_numbers(scene, variant.tag, names)).encode()
+    files[README] = _for_the_folder(
+        with_part(page, your_numbers(scene, variant.tag, names)).encode()
+    )
     files[START] = _start(varied, public, given, variant.tag)
     varied.check_readable(files)
     data = student_zip(varied.files._replace(public=files), varied.base.hidden, versions)
@@ -103,4 +107,9 @@ def _start(varied: VariedTask, public: Setting, given: Scene, tag: str) -> bytes
     if own is None:
         own = new_program("vrts verify mine.v2", given).encode()
     line = b"\r\n" if b"\r\n" in own else b"\n"
-    return tag_line(tag).encode() + line + own
+    return tag_line(tag).encode() + line + _for_the_folder(own)
+
+
+def _for_the_folder(text: bytes) -> bytes:
+    """Return a text that names the task in the folder, whatever its zip was called."""
+    return ZIP_OF_ALL.sub(TASK_FILE.encode(), text)

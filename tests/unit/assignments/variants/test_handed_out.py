@@ -54,6 +54,16 @@ def given(varied: VariedTask, student: str) -> tuple[Variant, HandedOut, dict[st
     return variant, found, {name.removeprefix("lab1/"): text for name, text in files.items()}
 
 
+def test_what_to_type_names_a_file_that_the_student_has(tmp_path: Path) -> None:
+    lab = copied(tmp_path)
+    (lab / "README.md").write_text("# Lab\n\n    vrts grade lab1-student.zip mine.v2\n")
+    (lab / "start.v2").write_text("; vrts grade old-student.zip start.v2\n.PROGRAM main()\n.END\n")
+    _, _, files = given(load_varied(lab), "ada")
+    assert "    vrts grade task.toml mine.v2\n" in files["README.md"]
+    assert "; vrts grade task.toml start.v2\n" in files["start.v2"]
+    assert not any("-student.zip" in text for text in files.values())
+
+
 def test_a_student_gets_the_own_numbers_and_nothing_of_others(varied: VariedTask) -> None:
     variant, _, files = given(varied, "ada")
     values = varied.variants.values(variant.combination)
