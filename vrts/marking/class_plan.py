@@ -19,6 +19,7 @@ from vrts.marking.by_hand.by_hand import (
 )
 from vrts.marking.class_marks import class_row, entries, nothing_late
 from vrts.marking.intake.exam import counted
+from vrts.marking.intake.given import given_to_all
 from vrts.marking.intake.row import Row as Found
 from vrts.marking.intake.tables.intake_table import write_rows
 from vrts.marking.intake.tree.opening import open_place
@@ -93,6 +94,7 @@ def plan_class(
             mark,
             how,
             known=lambda rows: None if own is None else own.assign(rows, variants),
+            given=given_to_all(Path(marker.place.task)),
         )
         found = tuple(entries(tree, taken.rows))
         doubts = {} if own is None else doubts_of(own, found, mark)

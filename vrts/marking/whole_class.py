@@ -1,6 +1,6 @@
 """The marking of a class from the download to the list of marks."""
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import replace
 from datetime import datetime, tzinfo
 from hashlib import sha256
@@ -28,6 +28,7 @@ from vrts.marking.class_marks import (
 )
 from vrts.marking.intake.clock import settled, zone_of
 from vrts.marking.intake.exam import counted
+from vrts.marking.intake.given import given_to_all
 from vrts.marking.intake.row import Intake, Kind
 from vrts.marking.intake.row import Row as Found
 from vrts.marking.intake.tables.edited_table import read_rows
@@ -149,6 +150,7 @@ def mark_whole_class(
                 None if own is None else own.assign(rows, variants, some=how.only is not None)
             ),
             later=_later(layout, how),
+            given=given_to_all(Path(marker.place.task)),
         )
         named, found, key = taken.rows, taken.rows, None
         if how.pseudonyms and layout is not None:
@@ -240,6 +242,7 @@ def take_in_class(
     how: HowTo = USUAL,
     known: Callable[[Sequence[Found]], None] = lambda _: None,
     later: Callable[[str], datetime | None] = lambda _: None,
+    given: Collection[str] = (),
 ) -> TakenIn:
     """Return the rows of a class: those of the edited table, with the attempts that count.
 
@@ -251,6 +254,7 @@ def take_in_class(
         how: The class's list, and the zone of times.
         known: Told the rows before anything is marked.
         later: Returns the later deadline that graders gave to an id, by which attempts count.
+        given: Programs that students were given: no hand-in where there is another one.
 
     Raises:
         CannotRead: The table or the list is not there.
@@ -258,7 +262,7 @@ def take_in_class(
     """
     zone = how.zone or zone_of(task.late)
     roster = how.roster and read_roster(read_bytes(how.roster), how.roster.name, zone)
-    intake = take_in_tree(tree, program=task.program, zone=zone, roster=roster)
+    intake = take_in_tree(tree, program=task.program, zone=zone, roster=roster, given=given)
     intake = settled(intake, task.late, zone)
     found, warnings = _as_edited(tree, intake, table)
     if how.only is not None:

@@ -78,7 +78,8 @@ def command(
         None if class_list is None else read_roster(read_bytes(class_list), class_list.name, times)
     )
     wanted = program or (None if asked is None else asked.program)
-    found = take_in(place, program=wanted, zone=times, roster=roster)
+    given = _given(task)
+    found = take_in(place, program=wanted, zone=times, roster=roster, given=given)
     intake = settled(found, rules, times)
     out(_text(intake))
     write_file(table, write_rows(intake.rows, delimiter, place.absolute().name))
@@ -94,12 +95,26 @@ def _task(path: Path | None) -> "Task | None":
     if path is None:
         return None
     from vrts.assignments.packed import is_packed, load_zip
-    from vrts.pipeline.files import TASK_FILE, find_example
     from vrts.pipeline.settings import load_task
 
-    folder = find_example(str(path))
-    file = folder / TASK_FILE if folder is not None else path
+    file = _file_of(path)
     return (load_zip if is_packed(file) else load_task)(file, staff=False).task
+
+
+def _given(path: Path | None) -> frozenset[str]:
+    """Return the programs that students of a task are given."""
+    if path is None:
+        return frozenset()
+    from vrts.marking.intake.given import given_to_all
+
+    return given_to_all(_file_of(path))
+
+
+def _file_of(path: Path) -> Path:
+    from vrts.pipeline.files import TASK_FILE, find_example
+
+    folder = find_example(str(path))
+    return folder / TASK_FILE if folder is not None else path
 
 
 def _text(intake: "Intake") -> str:

@@ -1,14 +1,16 @@
 """Which of the files of a hand-in is the program."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from pathlib import PurePosixPath
 from typing import NamedTuple
 
 from vrts.marking.intake.candidate import Candidate
+from vrts.marking.intake.given import essence
 from vrts.marking.intake.row import Kind, Problem
 from vrts.marking.intake.tree.file_names import copy_of, is_note, is_program_name, same_name
 
 NOTHING = Problem(Kind.MISSING, "nothing was handed in")
+GIVEN = "what students were given"
 SHOWN = 4  # files named in a sentence
 
 # what is told where nothing can be marked: the first of these that is there
@@ -25,16 +27,24 @@ class Choice(NamedTuple):
     copies: tuple[str, ...] = ()  # earlier copies of the file, in order
 
 
-def choose(found: Sequence[Candidate], program: str | None, *, canvas: bool = False) -> Choice:
+def choose(
+    found: Sequence[Candidate],
+    program: str | None,
+    *,
+    canvas: bool = False,
+    given: Collection[str] = (),
+) -> Choice:
     """Choose among the files of a hand-in.
 
     The one that has the program of the task; else the one that reads as VAL-II; else the only
-    text. Files with the same text count as one, and of numbered copies the latest is taken.
+    text. Files with the same text count as one, and of numbered copies the latest is taken. What
+    students were given counts only where there is nothing else.
 
     Args:
         found: Every file.
         program: Name of the program that the task runs; None: any.
         canvas: Copies are numbered as Canvas does it.
+        given: Programs that students were given, as `essence` tells them.
     """
     if not found:
         return Choice(None, "no file", (), NOTHING)
@@ -44,6 +54,9 @@ def choose(found: Sequence[Candidate], program: str | None, *, canvas: bool = Fa
         fitting = [candidate for candidate in texts if fits(candidate)]
         if not fitting:
             continue
+        own = [candidate for candidate in fitting if essence(candidate.text) not in given]
+        if given and own and len(own) < len(fitting):
+            fitting, why = own, f"{why} and is not {GIVEN}"
         choice = _among(fitting, found, why, canvas=canvas)
         if name is not None and fits is _plausible and len(found) > 1:
             choice = choice._replace(why=f"{choice.why}; no file has `.PROGRAM {name}`")

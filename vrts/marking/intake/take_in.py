@@ -1,6 +1,6 @@
 """From a download to rows: recognise its layout, look into the files, choose, and name."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from datetime import UTC, datetime, tzinfo
 from pathlib import Path
 
@@ -26,6 +26,7 @@ def take_in(
     program: str | None,
     zone: tzinfo | None = None,
     roster: Roster | None = None,
+    given: Collection[str] = (),
 ) -> Intake:
     """Return a row for each student, sorted by identifier: the same bytes give the same rows.
 
@@ -34,12 +35,13 @@ def take_in(
         program: Name of the program that the task runs; None: any.
         zone: Of times that a platform gives without one; None: they only tell the order.
         roster: The class; who handed in nothing gets a row too.
+        given: Programs that students were given, as `essence` tells them.
 
     Raises:
         CannotRead: There is nothing that could be read.
     """
     with open_place(place) as tree:
-        return take_in_tree(tree, program=program, zone=zone, roster=roster)
+        return take_in_tree(tree, program=program, zone=zone, roster=roster, given=given)
 
 
 def take_in_tree(
@@ -48,6 +50,7 @@ def take_in_tree(
     program: str | None,
     zone: tzinfo | None = None,
     roster: Roster | None = None,
+    given: Collection[str] = (),
 ) -> Intake:
     """Return the rows of what was opened."""
     layout = listed(tree.files) if tree.is_list else _layout(tree, zone)
@@ -58,7 +61,7 @@ def take_in_tree(
         students.setdefault(hand_in.key, []).append(hand_in)
     names = Identifiers()
     rows = [
-        _row(tree, students[key], program, names, canvas=layout.canvas)
+        _row(tree, students[key], program, names, canvas=layout.canvas, given=given)
         for key in sorted(students, key=lambda key: (students[key][0].words, key))
     ]
     refused = tuple(f"`{name}` {why}, and was not read" for name, why in tree.refused.items())
@@ -125,13 +128,20 @@ def _moved(layout: Layout, root: str) -> Layout:
 
 
 def _row(
-    tree: Tree, attempts: list[HandIn], program: str | None, names: Identifiers, *, canvas: bool
+    tree: Tree,
+    attempts: list[HandIn],
+    program: str | None,
+    names: Identifiers,
+    *,
+    canvas: bool,
+    given: Collection[str],
 ) -> Row:
     """Return the row of one student: the latest attempt, and what can be marked of the others."""
     ordered = sorted(attempts, key=lambda a: (a.received or EARLIEST, a.order, a.files))
     latest = ordered[-1]
     choices = [
-        choose(candidates(tree, attempt.files), program, canvas=canvas) for attempt in ordered
+        choose(candidates(tree, attempt.files), program, canvas=canvas, given=given)
+        for attempt in ordered
     ]
     choice = choices[-1]
     good = tuple(
