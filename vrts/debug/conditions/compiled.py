@@ -119,7 +119,7 @@ def made(
             item = same[id(source)]
         elif isinstance(source, Array):
             item = Array(name)
-            item.elements = Elements(past)
+            item.elements = Elements(name, past)
             arrays.append((k, item.elements))
         elif name in layout.arrays and (source is None or source.at(finished) is UNDEFINED):
             item = Array(name)

@@ -15,9 +15,10 @@ class At(Protocol):
 class Elements(dict[tuple[int, ...], Cell]):
     """Elements of an array, as they were at the instant at which they are asked for."""
 
-    def __init__(self, past: At) -> None:
-        """Begin without elements."""
+    def __init__(self, name: str, past: At) -> None:
+        """Begin without elements; messages call them by the name that the expression has."""
         super().__init__()
+        self._name = name
         self._past = past
         self._source: Mapping[tuple[int, ...], Cell] = {}
 
@@ -34,7 +35,7 @@ class Elements(dict[tuple[int, ...], Cell]):
         if found is None:
             return cell
         if cell is None:
-            cell = self[key] = Cell(found.name)
+            cell = self[key] = Cell(f"{self._name}[{','.join(map(str, key))}]")
         cell.value = found.at(self._past.finished)
         return cell
 
