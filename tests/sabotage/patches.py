@@ -2322,6 +2322,13 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/debug/conditions/test_machine_law.py",),
     ),
     Patch(
+        "debug: an argument has elements of the array that it stood for before",
+        "vrts/debug/conditions/elements.py",
+        "            self.clear()\n",
+        "",
+        ("tests/unit/debug/conditions/test_elements.py",),
+    ),
+    Patch(
         "what is let go of the machine's past takes along what still holds",
         "vrts/engine/memory/track.py",
         "first = bisect_right(self.times, before_s - INSTANT) - 1",
