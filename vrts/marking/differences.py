@@ -28,11 +28,18 @@ def differences(old: Result, new: Result, without: Collection[str] = ()) -> Iter
         new: The other.
         without: Fields of the result that are not compared.
     """
-    left = cast("dict[str, Any]", msgspec.to_builtins(old))
-    right = cast("dict[str, Any]", msgspec.to_builtins(new))
-    for name in left:
+    for name in old.__struct_fields__:
         if name not in without:
-            yield from _between(name, left[name], right[name])
+            yield from _between(name, _plain(getattr(old, name)), _plain(getattr(new, name)))
+
+
+def _plain(value: Any) -> Any:
+    """Return a value as JSON has it, with all fields: one that is left out is its usual value."""
+    if isinstance(value, msgspec.Struct):
+        return {name: _plain(getattr(value, name)) for name in value.__struct_fields__}
+    if isinstance(value, tuple):
+        return [_plain(item) for item in cast("tuple[Any, ...]", value)]
+    return msgspec.to_builtins(value)
 
 
 def _between(path: str, old: Any, new: Any) -> Iterator[Difference]:

@@ -1,11 +1,14 @@
 """The certificate in evidence: what shows that the contacts in a result are those there are."""
 
+from dataclasses import replace
+
+from vrts.base.diagnostic import Diagnostic, Severity
 from vrts.check.collision.collision import check_collisions
 from vrts.pipeline.compiling.reading import ProgramFile
 from vrts.pipeline.refused import Refused
 from vrts.pipeline.request import Request
 from vrts.pipeline.setting import Setting
-from vrts.run_files.proving import Proof, certificate_of, differing, proof_of
+from vrts.run_files.proving import OTHER_FORMAT, Proof, certificate_of, differing, proof_of
 from vrts.run_files.simulated import Simulated, simulate
 
 PROOF = "proof.cert"
@@ -37,13 +40,23 @@ def certificate_for(setting: Setting, title: str, data: bytes) -> bytes | None:
     return written
 
 
-def checked_proof(certificate: bytes, setting: Setting, title: str, data: bytes) -> Proof:
+def checked_proof(
+    certificate: bytes, setting: Setting, title: str, data: bytes
+) -> Proof | Diagnostic:
     """Return what the certificate in evidence proves of the program in it.
+
+    Returns:
+        Why it cannot be checked, where another vrts has written it in another format.
 
     Raises:
         Refused: It is damaged, does not hold, or is about something else.
     """
-    proof = proof_of(certificate, PROOF, PACK_AGAIN)
+    try:
+        proof = proof_of(certificate, PROOF, PACK_AGAIN)
+    except Refused as refused:
+        if refused.diagnostics[0].rule == OTHER_FORMAT:
+            return replace(refused.diagnostics[0], severity=Severity.WARNING)
+        raise
     other = differing(proof, _made(setting, title, data))
     if other is not None:
         raise Refused((other,))

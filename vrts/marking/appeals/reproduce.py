@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 import msgspec
 
+from vrts.base.diagnostic import Diagnostic
 from vrts.controllers.models import FIRST, MODELS
 from vrts.marking.appeals.evidence import Evidence
 from vrts.marking.appeals.pack_evidence import versions
@@ -29,6 +30,11 @@ class Reproduced(NamedTuple):
     first: Difference | None  # None: the same result
     whose: str  # in which of the two results of a submission the difference is
     proof: Proof | None  # the certificate in the evidence, which holds; None: there is none
+    unread: (
+        Diagnostic | None
+    )  # why the certificate cannot be checked: its format is of another vrts
+    same_points: bool  # whether mark and parts are the same, whatever is said of them
+    other_vrts: bool  # whether the first result was made by another vrts, or another scoring
 
 
 def reproduce(evidence: Evidence) -> Reproduced | None:
@@ -37,7 +43,8 @@ def reproduce(evidence: Evidence) -> Reproduced | None:
     Results of another version of vrts are compared in all but what names the version.
 
     Raises:
-        Refused: The task in the evidence has errors, or its certificate does not hold.
+        Refused: The task in the evidence has errors, or its certificate does not hold; one that
+            another vrts has written in another format is left unread.
     """
     data = evidence.program
     if data is None:
@@ -47,7 +54,8 @@ def reproduce(evidence: Evidence) -> Reproduced | None:
         place = unpacked_place(contents.place, evidence.files, Path(folder))
         place = _under_model_of_then(place, evidence.staff)
         marker = Marker(place, contents.wanted)
-        proof, certificate = None, evidence.files.get(PROOF)
+        proof: Proof | Diagnostic | None = None
+        certificate = evidence.files.get(PROOF)
         if certificate is not None:
             proof = checked_proof(certificate, marker.whole, contents.title, data)
         entry = Entry(contents.id, contents.title, data)
@@ -57,14 +65,28 @@ def reproduce(evidence: Evidence) -> Reproduced | None:
     without = OTHERS if same_version else (*OF_VERSIONS, *OTHERS)
     if evidence.staff.controller is None:  # which results did not tell
         without = (*without, "controller")
+    again = Reproduced(
+        done.result,
+        None,
+        "",
+        None if isinstance(proof, Diagnostic) else proof,
+        proof if isinstance(proof, Diagnostic) else None,
+        _points(done.result) == _points(evidence.staff),
+        not same_version,
+    )
     for whose, old, new in (
         (STAFF, evidence.staff, done.result),
         (STUDENT, evidence.student, done.student),
     ):
         first = next(differences(old, new, without), None)
         if first is not None:
-            return Reproduced(done.result, first, whose, proof)
-    return Reproduced(done.result, None, "", proof)
+            return again._replace(first=first, whose=whose)
+    return again
+
+
+def _points(result: Result) -> tuple[object, ...]:
+    """Return what became of a program in points, without any words about it."""
+    return (result.kind, result.mark, result.total, result.parts)
 
 
 def _under_model_of_then(place: Place, result: Result) -> Place:

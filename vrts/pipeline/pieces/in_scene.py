@@ -22,6 +22,7 @@ NO_LIBRARY = Rule("V911", "no-mesh-library")
 NOT_HELD = Rule("V912", "mesh-not-held")
 NOT_THERE = Rule("V913", "mesh-not-there")
 INSIDE_OUT = Rule("V690", "part-inside-out")
+OVERLAP = Rule("V922", "solids-overlap")
 
 
 class Asked(NamedTuple):
@@ -135,6 +136,15 @@ def _beside(
             f"of {beside.turned} the normals point inward; they count as solid",
             help=("turn their normals in your CAD or mesh program, and save the mesh again",),
             data={"file": keys.file, "parts": beside.turned},
+        )
+    if beside.shared:
+        problems.warning(
+            OVERLAP,
+            f"solids in the mesh `{keys.file}` overlap, or pass through themselves",
+            section.value_span("file"),
+            "what they share counts more than once for volume and centre of mass",
+            help=("unite the solids in your CAD or mesh program, and save the mesh again",),
+            data={"file": keys.file},
         )
     if not beside.same:
         tell_changed(section, keys.file)

@@ -31,6 +31,7 @@ class Compared(NamedTuple):
     same: bool  # whether they were made of these very bytes
     stands_out: float  # the mesh out of the pieces, at most [mm]; 0: proven that it does not
     turned: int  # parts of the mesh that were inside out, and count as if they were not
+    shared: bool  # whether solids in the mesh overlap
 
 
 def made(name: str, data: bytes, unit: str, closeness: float, most: int) -> Pieces:
@@ -87,7 +88,7 @@ def compared(pieces: Pieces, name: str, data: bytes) -> Compared:
     measured = pieces._replace(**_measured(mesh, shapes)._asdict())
     same = hashlib.sha256(data).hexdigest() == pieces.sha256
     out = max(stands_out(shreds, shapes), ROUNDING) if shreds else 0.0
-    return Compared(measured, same, out, mesh.turned)
+    return Compared(measured, same, out, mesh.turned, mesh.shared)
 
 
 class _Measured(NamedTuple):

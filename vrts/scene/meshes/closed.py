@@ -6,12 +6,14 @@ import numpy as np
 import numpy.typing as npt
 
 from vrts.scene.meshes.orientation import oriented
+from vrts.scene.meshes.passes import passes
 from vrts.scene.meshes.triangles import LARGEST, MeshFault, Triangles
 
 Array: TypeAlias = npt.NDArray[np.float64]
 Indices: TypeAlias = npt.NDArray[np.int64]
 
-FLATTEST = 1e-3  # [mm] of a mesh across
+FLATTEST = 0.1  # [mm] of a mesh across
+LEAST = 1.0  # [mm^3] that a mesh encloses
 
 
 def closed(corners: Array) -> Triangles:
@@ -21,7 +23,7 @@ def closed(corners: Array) -> Triangles:
         corners: Shape (m, 3, 3), in mm.
 
     Raises:
-        MeshFault: It is too large, flat, not closed, or a part of it is inside out.
+        MeshFault: It is too large or small, flat, not closed, or some of it is inside out.
     """
     if not bool(np.isfinite(corners).all()):
         raise MeshFault("a corner of the mesh is not a number", "save the mesh again")
@@ -38,9 +40,19 @@ def closed(corners: Array) -> Triangles:
         raise MeshFault("the mesh is flat, or far too small", "look at `unit`")
     _check_edges(vertices, faces)
     found = Triangles(vertices, *oriented(vertices, faces))
-    if found.volume < FLATTEST**3:
-        raise MeshFault("the mesh encloses no volume", "look at `unit`, or save it as a solid")
-    return found
+    if found.volume < LEAST:
+        raise MeshFault(
+            f"the mesh encloses no volume, or less than {LEAST:g} mm3",
+            "look at `unit`, or save it as a solid",
+        )
+    crossed = passes(found.corners)
+    if crossed.inside_out is not None:
+        near = ", ".join(f"{value:.1f}" for value in crossed.inside_out)
+        raise MeshFault(
+            f"the mesh passes through itself, and is inside out behind that, near ({near}) mm",
+            "repair the mesh: make one solid of it in your CAD or mesh program, and save it again",
+        )
+    return found._replace(shared=crossed.shared is not None)
 
 
 def _check_edges(vertices: Array, faces: Indices) -> None:

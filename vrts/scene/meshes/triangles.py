@@ -26,6 +26,7 @@ class Triangles(NamedTuple):
     vertices: Array  # (n, 3) [mm]
     faces: Indices  # (m, 3), counter-clockwise seen from outside
     turned: int = 0  # parts that were inside out in the file while others were not
+    shared: bool = False  # whether solids overlap in it: what they share counts more than once
 
     @property
     def corners(self) -> Array:

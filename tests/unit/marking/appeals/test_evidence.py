@@ -155,9 +155,11 @@ def test_the_contacts_of_a_mark_are_proven_by_a_certificate(
     assert "V547 certificate-does-not-prove" in found.output
     files["proof.cert"] = formatted(members(evidence)["proof.cert"], 2)
     found = reproduce(tmp_path, sealed(files))
-    assert found.exit_code == 1
-    assert "V550 certificate-format" in found.output
-    assert "was written by an older vrts" in found.output
+    assert found.exit_code == 0, found.output  # the mark is made again without it
+    assert found.stdout.startswith("anna: the same result, ")
+    assert "its certificate holds" not in found.stdout
+    assert "warning[V550 certificate-format]" in found.stderr
+    assert "was written by an older vrts" in found.stderr
     assert "help: pack the evidence again with `vrts grade evidence`" in found.output
 
 
@@ -181,7 +183,9 @@ def test_the_first_difference_is_named(evidence: bytes, tmp_path: Path) -> None:
     files["row.json"] = msgspec.json.encode(msgspec.structs.replace(row, result=better))
     found = reproduce(tmp_path, sealed(files))
     assert found.exit_code == 1
-    assert found.stdout.startswith("anna: another result\n  first difference, in the result for")
+    mark = f"{row.result.mark:.1f} of 10"
+    assert found.stdout.startswith(f"anna: another result, with the same mark: {mark}\n")
+    assert "\n  first difference, in the result for" in found.stdout
     assert ": lowest was 9.9, is now null" in found.stdout
 
 
@@ -212,6 +216,20 @@ def test_a_result_of_another_version_is_compared_in_all_but_versions(
     found = reproduce(tmp_path, sealed(files))
     assert found.exit_code == 0, found.output
     assert "note: vrts: 0.0.9 when it was packed, " in found.stderr
+
+    student = from_bytes(files["student/result.json"])
+    said = to_bytes(msgspec.structs.replace(student, cause="in words of before"))
+    found = reproduce(tmp_path, sealed({**files, "student/result.json": said}))
+    assert found.exit_code == 3, found.output
+    row = msgspec.json.decode(files["row.json"], type=Row)
+    mark = f"{row.result.mark:.1f} of 10"
+    assert f"anna: the same mark, {mark}; what is said about" in found.stdout
+    result = msgspec.structs.replace(row.result, mark=0.3)
+    files["staff/result.json"] = to_bytes(result)
+    files["row.json"] = msgspec.json.encode(msgspec.structs.replace(row, result=result))
+    found = reproduce(tmp_path, sealed(files))
+    assert found.exit_code == 1
+    assert f"anna: another result: 0.3 of 10 in the evidence, {mark} now\n" in found.stdout
 
 
 def without(name: str) -> Spoil:

@@ -130,3 +130,11 @@ def test_a_part_that_is_inside_out_is_told(tmp_path: Path) -> None:
     assert "V690" in told.stderr
     assert "of 1 the normals point inward; they count as solid" in told.stderr
     assert "V897" not in told.stderr
+    assert "V922" not in told.stderr
+
+    twice = stl(np.concatenate([u_shape(), u_shape() * (0.1, 0.1, 0.5) + (50.0, 5.0, 5.0)]))
+    (folder / "cradle.stl").write_bytes(twice)
+    written = u_pieces(sha256=hashlib.sha256(twice).hexdigest())
+    (folder / "cradle.stl.pieces.json").write_bytes(written)
+    told = check(folder)
+    assert "warning[V922 solids-overlap]" in told.stderr

@@ -58,6 +58,8 @@ def test_hostile_files_are_refused() -> None:
     assert f"{MOST_TRIANGLES:,} are taken" in refusal("a.stl", stl(many))
     assert "from its origin" in refusal("a.stl", stl(u_shape()), "m")
     assert "flat" in refusal("a.stl", stl(u_shape() * (1.0, 1.0, 0.0)))
+    assert "far too small" in refusal("a.stl", stl(u_shape() / 1000.0))  # metres read as mm
+    assert "less than 1 mm3" in refusal("a.stl", stl(u_shape() / 80.0 / 1.3))
 
 
 @pytest.mark.parametrize(

@@ -108,6 +108,54 @@ def test_what_cannot_be_told_is_refused(parts: list[Array], said: str) -> None:
     assert found.value.remedy
 
 
+def band(outline: Sequence[tuple[float, float]]) -> Array:
+    """Return the triangles of a prism over a closed line that may cross itself, 30 mm high."""
+    low, high = (np.array([(x, y, z) for x, y in outline]) for z in (0.0, 30.0))
+    parts = [(low[k - 1], low[k], high[k]) for k in range(len(low))]
+    parts += [(low[k - 1], high[k], high[k - 1]) for k in range(len(low))]
+    parts += [(high[k - 1], high[k], high.mean(axis=0)) for k in range(len(low))]
+    parts += [(low[k], low[k - 1], low.mean(axis=0)) for k in range(len(low))]
+    return np.array(parts)
+
+
+@pytest.mark.parametrize(
+    "outline",
+    [
+        [(0, 0), (60, 30), (60, 10), (0, 40)],  # an 8, one half of it inside out
+        [(0, 0), (40, 22), (60, 36), (60, 14), (40, 18), (0, 60)],
+        [(0, 0), (50, 0), (50, 22), (80, 2), (80, 22), (50, 2), (50, 40), (0, 40)],
+    ],
+)
+def test_a_mesh_that_crosses_itself_like_an_8_is_refused(
+    outline: list[tuple[float, float]],
+) -> None:
+    for corners in (band(outline), band(outline[::-1])):
+        with pytest.raises(MeshFault, match="passes through itself, and is inside out"):
+            closed(corners)
+
+
+@pytest.mark.parametrize(
+    ("parts", "shared"),
+    [
+        ([cube(0), cube(5, 5, 5)], True),
+        ([SHELL, ISLAND], True),
+        (
+            [
+                band(
+                    [(40 * np.cos(k * 0.8 * np.pi), 40 * np.sin(k * 0.8 * np.pi)) for k in range(5)]
+                )
+            ],
+            True,
+        ),
+        ([SHELL, HOLLOW, ISLAND], False),
+        ([cube(0), cube(10)], False),  # they touch, with a face
+        ([cube(0), cube(10, 10)], False),
+    ],
+)
+def test_solids_that_share_room_are_told(parts: list[Array], shared: bool) -> None:
+    assert mesh_of(*parts).shared is shared
+
+
 def by_chance(rng: np.random.Generator, make: Callable[..., Array]) -> tuple[list[Array], int]:
     """Return parts that do not overlap, with hollows and islands, and how many are solid."""
     parts: list[Array] = []

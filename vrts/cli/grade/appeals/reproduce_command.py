@@ -3,11 +3,23 @@
 import os
 import sys
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
-from vrts.cli.shared.console import HOLDS, UNDETERMINED, WRONG, guarded, out, say
+from vrts.cli.shared.console import (
+    HOLDS,
+    UNDETERMINED,
+    WRONG,
+    guarded,
+    out,
+    say,
+    show_diagnostics,
+)
 from vrts.cli.shared.options import color_option
+
+if TYPE_CHECKING:
+    from vrts.marking.result import Result
 
 EPILOG = """\b
 Examples:
@@ -26,7 +38,8 @@ def command(evidence: Path, color: str) -> None:
     is marked by the task in the zip, in a process of its own. Both results are compared in
     everything: the one for the staff and the one for the student. Exit status 0 for the same
     result; 1 for another one, or for a zip that is damaged or was changed; 3 when nothing was
-    handed in that could be marked.
+    handed in that could be marked, or when another version of vrts came to the same mark and
+    said something else about it.
     """
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before numpy: threads do not fork
     from vrts.marking.appeals.evidence_zip import read_evidence
@@ -41,21 +54,29 @@ def command(evidence: Path, color: str) -> None:
     if again is None:
         out(f"{name}: nothing to mark again: {one_line(found.staff.cause)}")
         sys.exit(UNDETERMINED)
+    now, then = _mark(again.result), _mark(found.staff)
+    if again.unread is not None:
+        show_diagnostics([again.unread], color)
     if again.first is None:
-        mark = (
-            "no mark"
-            if again.result.mark is None
-            else f"{again.result.mark:.1f} of {again.result.total:g}"
-        )
-        out(f"{name}: the same result, {mark}")
+        out(f"{name}: the same result, {now}")
         if again.proof is not None:
             count = len(again.proof.claims.meetings)
             words = {0: "nothing touches anything", 1: "one contact, and no other"}
             what = words.get(count, f"{count} contacts, and no others")
             out(f"  its certificate holds: {what}")
         sys.exit(HOLDS)
+    only_words = again.same_points and again.other_vrts
+    if only_words:
+        out(f"{name}: the same mark, {now}; what is said about it comes from another vrts")
+    elif again.same_points:
+        out(f"{name}: another result, with the same mark: {now}")
+    else:
+        out(f"{name}: another result: {then} in the evidence, {now} now")
     first = again.first
-    out(f"{name}: another result")
     values = f"was {one_line(first.old)}, is now {one_line(first.new)}"
     out(f"  first difference, in the result {again.whose}: {one_line(first.path)} {values}")
-    sys.exit(WRONG)
+    sys.exit(UNDETERMINED if only_words else WRONG)
+
+
+def _mark(result: "Result") -> str:
+    return "no mark" if result.mark is None else f"{result.mark:.1f} of {result.total:g}"
