@@ -14,7 +14,7 @@ from tests.browser.support_desk import at_desk
 from tests.support_desk import write_desk_class
 from tests.support_desk_server import DeskProcess
 from vrts.marking.by_hand.decisions.files import add_decisions
-from vrts.marking.by_hand.decisions.records import Give
+from vrts.marking.by_hand.decisions.records import Comment, Give
 from vrts.marking.layout import Layout
 
 pytestmark = pytest.mark.browser
@@ -125,10 +125,12 @@ def test_what_changes_others_too_is_undone_when_somebody_has_seen_whom(
     # an item that is gone comes back, and a bulk is undone whole although the page is another one
     until(view, "!document.querySelector('details.versions').hidden")
     gives = [Give(0, "", "grip", (name,)) for name in ("s0000", "s0001", "s0002")]
-    add_decisions(layout.decisions, "S. Mayr", gives, datetime.now(UTC))
+    beyond = Comment(0, "", "s0002", "nowhere", line=4000)
+    add_decisions(layout.decisions, "S. Mayr", [*gives, beyond], datetime.now(UTC))
     view.page.evaluate("history.replaceState(null, '', '#s=s0002')")
     view.page.reload()
     until(view, "document.querySelector('#row-name + .soft')?.textContent === 's0002'")
+    until(view, "document.querySelector('.loose')?.textContent.includes('on line 4000, which')")
     press(view, "r", "ArrowRight", "ArrowRight")
     whole = view.page.locator("#panel-history button", has_text="for all 3 who got it at once")
     whole.press("Enter")
