@@ -136,5 +136,5 @@ def test_what_changes_others_too_is_undone_when_somebody_has_seen_whom(
     whole.press("Enter")
     until(view, f"{ASKED}?.textContent.includes('3 students')")
     press(view, "Enter")
-    until(view, f"{NOTES}.includes('for 3 students')")
+    until(view, f"{NOTES}.includes('Undone: item grip given')")
     assert len(last(layout)["records"]) == 3

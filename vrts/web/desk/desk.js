@@ -273,7 +273,7 @@ export class Desk {
     }
     if (!(await this.sure(last.records, last.given))) return;
     this.done = this.done.filter((one) => one.records[0] !== last.records[0]);
-    if (!(await this.act([{ does: "undo", records: last.records }], `Undone: ${lower(last.words)}`, [], false))) this.done.push(last);
+    if (!(await this.act([{ does: "undo", records: last.records }], `Undone: ${last.words}`, [], false))) this.done.push(last);
   }
 
   /** Mark again. @param {string[] | "all"} students */

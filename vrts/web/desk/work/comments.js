@@ -20,7 +20,7 @@ export function spoken(desk, comment, jump, place = "") {
   if (comment.stale) about.append(" · ", make("b", { text: "about an earlier program" }));
   const time = comment.time_s;
   if (time !== null && time !== undefined) about.append(" · ", button(`at ${moment(time)}`, () => jump(time), { class: "jump" }));
-  about.append(" ", button("Undo", () => void desk.undo([comment.record], "The comment"), { class: "jump", "aria-label": `Undo the comment of ${inText(comment.name || comment.who)}` }));
+  about.append(" ", button("Undo", () => void desk.undo([comment.record], "the comment"), { class: "jump", "aria-label": `Undo the comment of ${inText(comment.name || comment.who)}` }));
   box.append(make("p", { class: "said", dir: "auto", text: comment.text }), about);
   return box;
 }
