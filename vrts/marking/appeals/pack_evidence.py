@@ -4,7 +4,6 @@ import platform
 import sys
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
-from tempfile import TemporaryDirectory
 
 import msgspec
 
@@ -42,6 +41,7 @@ from vrts.marking.result import SCORING, Damaged, Result, from_bytes
 from vrts.marking.row import Row
 from vrts.marking.submission.marker import Marker
 from vrts.marking.submission.report_files import FAULT, RECORDING, REPORT
+from vrts.marking.supervise.scratch import scratch_folder
 from vrts.marking.variants.marker import variant_place
 from vrts.pipeline.refused import Refused
 
@@ -80,8 +80,8 @@ def pack_evidence(
         program = f"{SUBMISSION}/{safe(named.rsplit('/', 1)[-1].rsplit('!', 1)[-1])}"
         files[program] = data
     if row.result.program is not None and data is not None:
-        with TemporaryDirectory(prefix="vrts-") as folder:
-            marker = Marker(unpacked_place(inside, of_task, Path(folder)), written.about.wanted)
+        with scratch_folder() as folder:
+            marker = Marker(unpacked_place(inside, of_task, folder), written.about.wanted)
         _require_same_task(marker, row.result, data)
         title = row.result.program.name
         proof = certificate_for(marker.whole, title, data) if marker.wanted.collisions else None

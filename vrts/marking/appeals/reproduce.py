@@ -1,7 +1,5 @@
 """Marks what is in evidence again, and compares."""
 
-from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import NamedTuple
 
 import msgspec
@@ -18,6 +16,7 @@ from vrts.marking.result import Result
 from vrts.marking.sample import OTHERS, STAFF, STUDENT, mark_again
 from vrts.marking.submission.marker import Marker, versions_of_scoring
 from vrts.marking.submission.setting import Place
+from vrts.marking.supervise.scratch import scratch_folder
 from vrts.run_files.proving import Proof
 
 OF_VERSIONS = ("key", "versions")  # fields that say only with which vrts a result was made
@@ -50,8 +49,8 @@ def reproduce(evidence: Evidence) -> Reproduced | None:
     if data is None:
         return None
     contents = evidence.contents
-    with TemporaryDirectory(prefix="vrts-") as folder:
-        place = unpacked_place(contents.place, evidence.files, Path(folder))
+    with scratch_folder() as folder:
+        place = unpacked_place(contents.place, evidence.files, folder)
         place = _under_model_of_then(place, evidence.staff)
         marker = Marker(place, contents.wanted)
         proof: Proof | Diagnostic | None = None

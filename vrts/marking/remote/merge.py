@@ -77,9 +77,11 @@ def merge(key: Key, sources: Sequence[Path], layout: Layout, *, unsigned: bool =
     for other in key.others:
         _write(other.marks, other.files, layout)
     rows: dict[str, HomeRow] = {}
-    odds = dict(_at_odds(sources, key))
+    files = [path for path in sources if not _is_device(path)]
+    odds = dict(_at_odds(files, key))
     findings = list(odds.values())
-    for path in sources:
+    findings += [no_results(path.name, "it is no file") for path in sources if path not in files]
+    for path in files:
         try:
             file = path.open("rb")
         except OSError as problem:
@@ -263,6 +265,11 @@ def _there(layout: Layout, entry: Expected) -> Marks | None:
         return None
     same = (staff.key, student.key) == (entry.staff, entry.student)
     return Marks(staff, student) if same else None
+
+
+def _is_device(path: Path) -> bool:
+    """Return whether something else than a file or a folder has a name: reading it may not end."""
+    return path.exists() and not (path.is_file() or path.is_dir())
 
 
 def _at_odds(sources: Sequence[Path], key: Key) -> Iterator[tuple[str, Diagnostic]]:

@@ -4,7 +4,6 @@ import hashlib
 import secrets
 from collections.abc import Collection, Sequence
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import Literal, NamedTuple
 
 import msgspec
@@ -22,6 +21,7 @@ from vrts.marking.result import Damaged, Digest, Named, Record, decoded
 from vrts.marking.submission.marker import Marker, Marks
 from vrts.marking.submission.summary import task_named
 from vrts.marking.supervise.limits import Limits
+from vrts.marking.supervise.scratch import scratch_folder
 from vrts.pipeline.files import read_bytes
 from vrts.pipeline.refused import Refused
 from vrts.pipeline.setting import Setting
@@ -194,8 +194,8 @@ def _expected(marker: Marker, entry: Entry, naming: Naming) -> Expected:
 
 
 def _other(marker: Marker, entry: Entry) -> Other:
-    with TemporaryDirectory(prefix="vrts-") as folder:
-        layout = Layout(Path(folder))
+    with scratch_folder() as folder:
+        layout = Layout(folder)
         done = without_program(marker, entry, layout)
         return Other(Marks(done.result, done.student), written(layout, entry.identifier))
 

@@ -3,6 +3,7 @@
 import base64
 import io
 import json
+import os
 import stat
 import zipfile
 from collections.abc import Callable
@@ -471,6 +472,15 @@ def test_a_file_that_cannot_be_read_costs_no_other(sent: Sent, tmp_path: Path) -
         "folder.z",
         "gone.zip",
     ]
+    assert len(merged.rows) == 3
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="there are no named pipes")
+def test_a_pipe_keeps_nobody_waiting(sent: Sent, tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe.zip")
+    merged = sent.merge(tmp_path / "out", tmp_path / "pipe.zip", sent.results[1])
+    assert codes(merged.findings) == ["V722", "V726"]
+    assert "`pipe.zip` holds no results of a shard: it is no file" in merged.findings[0].headline
     assert len(merged.rows) == 3
 
 
