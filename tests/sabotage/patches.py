@@ -404,6 +404,13 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/marking/variants/test_handed.py",),
     ),
     Patch(
+        "students are not told which of several hand-ins counts",
+        "vrts/marking/exports/feedback.py",
+        "    several = why.startswith(BEST_OF) or OF_SEVERAL in why",
+        "    several = False and (BEST_OF, OF_SEVERAL, why)",
+        ("tests/unit/marking/exports/test_feedback.py",),
+    ),
+    Patch(
         "what students were given counts as a second program",
         "vrts/marking/intake/choice.py",
         "            fitting, why = own, ",

@@ -15,6 +15,7 @@ from vrts.marking.unsafe import ALL, Doubt, Reason, doubts, in_order
 
 CLASS_SCHEMA = "vrts.class/1"
 BEST_OF = "the best of"  # begins `why` of a hand-in that was chosen among several by its mark
+OF_SEVERAL = "hand-ins count"  # in `why` of an exam: so many of so many do
 OF_SESSION = "the last session of the room in which something was done"  # `why` of a hand-in
 LARGEST = 512_000_000  # bytes of the rows of a class
 

@@ -15,7 +15,7 @@ from vrts.marking.exports.given import Returned
 from vrts.marking.exports.numbers import decimal
 from vrts.marking.exports.steps import steps
 from vrts.marking.result import Kind
-from vrts.marking.row import Decided, Row
+from vrts.marking.row import BEST_OF, OF_SEVERAL, Decided, Row
 from vrts.marking.unsafe import Reason
 from vrts.report.page.html import element, joined, prose
 from vrts.report.plain import one_line, plain_text
@@ -92,6 +92,13 @@ def unsure(row: Row) -> list[str]:
     return told
 
 
+def which_counts(row: Row) -> list[str]:
+    """Return which of several hand-ins counts, and why others do not; nothing for a single one."""
+    why = row.handed_in.why
+    several = why.startswith(BEST_OF) or OF_SEVERAL in why
+    return [f"What counts: {one_line(why)}."] if several else []
+
+
 def words_for(told: Returned) -> Words:
     """Return everything there is to say to a student."""
     row, public = told
@@ -106,7 +113,7 @@ def words_for(told: Returned) -> Words:
         for loss in public.losses
     )
     more = len(losses) - MOST_LOSSES
-    remarks: list[str] = []
+    remarks = which_counts(row)
     if more > 0:
         losses = losses[:MOST_LOSSES]
         remarks.append(f"{more} more losses are in the report.")

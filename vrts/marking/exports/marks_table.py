@@ -40,6 +40,7 @@ COLUMNS = (
     "items",
     "comments",
     "variant",
+    "why",
 )
 
 
@@ -109,3 +110,4 @@ def _fields(row: Row, point: str, delimiter: str) -> Iterator[str]:
     yield text("; ".join(f"{item.title} {number(Fraction(item.points))}" for item in items))
     yield text("; ".join(f"{place_of(c.line, c.time_s)}{c.text}" for c in told))
     yield "" if result.variant is None else text(result.variant.tag)
+    yield text(row.handed_in.why)

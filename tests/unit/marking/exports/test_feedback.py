@@ -1,5 +1,6 @@
 """What students are told: the mark, how it came to be, what cost points; nothing hidden."""
 
+import csv
 from html.parser import HTMLParser
 
 import msgspec
@@ -9,8 +10,9 @@ from tests.support_exports import HOSTILE, SECRET, hostile, result, row, secret
 from tests.support_hostile import steering
 from vrts.marking.exports.feedback import feedback_html, feedback_text
 from vrts.marking.exports.given import Returned
+from vrts.marking.exports.marks_table import marks_csv
 from vrts.marking.result import Kind
-from vrts.marking.row import Change, Lateness, Row
+from vrts.marking.row import Change, Class, HandedIn, Lateness, Row
 
 
 def told(one: Row) -> Returned:
@@ -39,6 +41,24 @@ def test_lateness_and_changes_by_hand_stand_beside_the_computed_mark() -> None:
         "   -1.0  lateness: 1 h late: 1 point less\n"
         "   +0.5  change by hand: seen\n"
     ) in text
+
+
+@pytest.mark.parametrize(
+    ("why", "told_of"),
+    [
+        ("the best of 3 attempts, number 1; 3 of 4 hand-ins count: 1 came after the first 3", True),
+        ("1 of 2 hand-ins counts: 1 came after it closed", True),
+        ("the only file", False),
+        ("the latest of 2 attempts; the only file", False),
+    ],
+)
+def test_which_of_several_hand_ins_counts_is_told(why: str, told_of: bool) -> None:
+    one = msgspec.structs.replace(row(), handed_in=HandedIn("a.v2", why))
+    line = f"What counts: {why}."
+    assert (line in feedback_text(told(one)).decode()) == told_of
+    assert (line in feedback_html(told(one))) == told_of
+    (found,) = csv.DictReader(marks_csv(Class("vrts.class/1", "L", (one,))).decode().splitlines())
+    assert found["why"] == why
 
 
 def test_no_mark_says_why() -> None:

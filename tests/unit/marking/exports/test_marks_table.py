@@ -41,7 +41,7 @@ def test_columns_of_before_keep_their_places() -> None:
         *("id", "name", "email", "login", "ids", "file", "received", "status", "mark"),
         *("deduction", "change", "final", "lowest"),
     )
-    assert COLUMNS[-5:] == ("key", "unsafe", "items", "comments", "variant")
+    assert COLUMNS[-6:] == ("key", "unsafe", "items", "comments", "variant", "why")
 
 
 def test_with_semicolons_numbers_have_a_comma() -> None:
