@@ -22,6 +22,7 @@ LARGEST = 16_000_000  # bytes
 CANVAS_HEADER = ("student", "id")
 PLAIN_NAMES = ("name", "full name")  # columns of a table that somebody wrote
 PLAIN_EMAILS = ("email", "e-mail", "email address", "mail")
+MOST_NAMED = 5  # in a remark
 RECEIVED = "received"  # a column that somebody has added: when the work came
 KNOWN = (
     "name",
@@ -119,11 +120,17 @@ def enrolled(layout: Layout, roster: Roster) -> Layout:
                 student=replace(member.student, ids=ids), received=hand_in.received or when
             )
         )
+    absent = {number: one for number, one in roster.members.items() if number not in seen}
     hand_ins += [
         HandIn(number, (member.student.name, number), member.student, ())
-        for number, member in roster.members.items()
-        if number not in seen
+        for number, member in absent.items()
     ]
+    lost = [one.student.name for one in absent.values() if one.received is not None]
+    if lost:
+        shown = ", ".join(f"`{name}`" for name in lost[:MOST_NAMED])
+        more = f" and {len(lost) - MOST_NAMED} more" if len(lost) > MOST_NAMED else ""
+        what = "the list of the class tells when their work came, and no file of theirs is here"
+        remarks.append(f"{shown}{more}: {what}; is the download whole?")
     return layout._replace(hand_ins=tuple(hand_ins), remarks=(*layout.remarks, *remarks))
 
 

@@ -45,6 +45,15 @@ def test_a_worksheet_of_moodle_tells_addresses_times_and_who_is_missing(tmp_path
     assert ben.received is None
 
 
+def test_who_handed_in_by_the_list_and_has_no_file_is_told(tmp_path: Path) -> None:
+    place = put(tmp_path / "d", {"Ben Wolf_102_assignsubmission_file_/pick.v2": PICK})
+    found = take_in(place, program=None, roster=read_roster(WORKSHEET, "w.csv", CET))
+    (said,) = found.remarks
+    assert said.startswith("`Anna Berger`: the list of the class tells when their work came, and ")
+    whole = put(tmp_path / "e", {f"{ANNA}/pick.v2": PICK})  # Ben has handed in nothing
+    assert not take_in(whole, program=None, roster=read_roster(WORKSHEET, "w.csv", CET)).remarks
+
+
 @pytest.mark.parametrize(
     ("data", "file"),
     [(WORKSHEET, f"{ANNA}/pick.v2"), (GRADE_BOOK, "bergeranna_31_901_pick.v2")],
