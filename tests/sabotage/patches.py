@@ -432,10 +432,17 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/marking/similarity/test_page.py",),
     ),
     Patch(
+        "many details of one decision are taken for many signs of a copy",
+        "vrts/marking/similarity/likeness.py",
+        "nearness([_vectors(one) for one in details], len(own), FAMILIES)",
+        "nearness([_vectors(one) for one in details], len(own))",
+        ("tests/unit/marking/similarity/test_nearness.py",),
+    ),
+    Patch(
         "what crowds tells as much of a copy as what is rare",
         "vrts/marking/similarity/weighing/nearness.py",
-        "    nats = nats_of_rank(np.maximum(rank, 1), count)",
-        "    nats = nats_of_rank(np.maximum(rank * 0, 1), count)",
+        "    nats = nats_of_rank(np.maximum(rank, 1), count)\n    nats[places, owner]",
+        "    nats = nats_of_rank(np.maximum(rank * 0, 1), count)\n    nats[places, owner]",
         ("tests/unit/marking/similarity/test_nearness.py",),
     ),
     Patch(

@@ -16,7 +16,7 @@ from vrts.marking.similarity.evidence import (
     nearness_told,
 )
 from vrts.marking.similarity.features.counts import Counts
-from vrts.marking.similarity.features.episodes import Detail, by_key
+from vrts.marking.similarity.features.episodes import FAMILIES, Detail, by_key
 from vrts.marking.similarity.features.extract import (
     CHANNELS,
     Digests,
@@ -91,7 +91,7 @@ def likeness(
     )
     written = [one for one, channel in zip(found, CHANNELS, strict=True) if channel in WRITTEN]
     details = [by_key(program.sketch) for program in all_programs]
-    near = nearness([_vectors(one) for one in details], len(own))
+    near = nearness([_vectors(one) for one in details], len(own), FAMILIES)
     words = [one.words for one in digests]
     as_often = counted(words, len(own))
     chance = chances(

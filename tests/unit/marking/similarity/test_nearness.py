@@ -93,6 +93,14 @@ def of_class(count: int = 60) -> list[Sketch]:
     return [*(Plan(k).sketch() for k in range(count)), Plan(0).disguised(1).sketch()]
 
 
+def with_text(sketches: list[Sketch]) -> dict[str, Program]:
+    """Return programs of which the text tells nothing."""
+    text = ".PROGRAM main()\n  MOVE {}\n.END\n"
+    return {
+        f"s{k:02d}": Program(text.format(f"a{k}").encode(), one) for k, one in enumerate(sketches)
+    }
+
+
 def near_of(sketches: list[Sketch], count: int) -> Nearness:
     return nearness([details(one) for one in sketches], count)
 
@@ -116,6 +124,23 @@ def test_a_copy_with_all_values_shifted_is_nearer_than_every_other_pair() -> Non
     total = near_of(of_class(), 61).total
     assert np.unravel_index(np.argmax(np.triu(total, 1)), total.shape) == (0, 60)
     assert np.allclose(total, total.T)
+
+
+def test_many_details_of_one_decision_are_not_many_witnesses() -> None:
+    """Ten kinds that say the same are one family; two that are near apart weigh more."""
+    draw = np.random.default_rng(5)
+    kinds = [f"k{k}" for k in range(10)]
+    found: list[dict[tuple[str, str], list[tuple[float, ...]]]] = []
+    for _ in range(60):
+        same, other = (float(n) for n in draw.normal(0.0, 100.0, 2))
+        found.append({**{(kind, ""): [(same,)] for kind in kinds}, ("other", ""): [(other,)]})
+    for kind in kinds:
+        found[1][kind, ""] = found[0][kind, ""]
+    found[3].update({key: [(at[0][0] + 0.2,)] for key, at in found[2].items()})
+    alone = nearness(found, 60).total
+    together = nearness(found, 60, dict.fromkeys(kinds, "one")).total
+    assert alone[0, 1] > 0.8 * alone[2, 3], "one decision seems to be ten"
+    assert together[0, 1] < 0.7 * together[2, 3]
 
 
 def test_programs_of_another_folder_are_measured_by_the_class() -> None:
@@ -177,14 +202,19 @@ def test_a_pair_whose_run_is_unknown_counts_as_one_that_is_as_rare_in_writing() 
 
 def test_a_copy_by_motion_alone_is_the_first_group() -> None:
     sketches = of_class(40)
-    text = ".PROGRAM main()\n  MOVE a\n.END\n"
-    programs = {
-        f"s{k:02d}": Program(text.replace("a", f"a{k}").encode(), one)
-        for k, one in enumerate(sketches)
-    }
-    found = likeness(programs, jobs=1)
+    found = likeness(with_text(sketches), jobs=1)
     assert found.groups[0].members == ("s00", "s40")
     assert any("nearly" in one.words for one in found.groups[0].evidence)
+
+
+def test_who_shares_nothing_but_heights_is_hardly_a_group() -> None:
+    """Ways down and up to three things, and above three others: four heights, chosen once."""
+    plans = [Plan(k) for k in range(60)]
+    plans[1].heights = plans[2].heights = [911, 1313, 1717, 2121]
+    sketches = [*(plan.sketch() for plan in plans), Plan(0).disguised(1).sketch()]
+    groups = {one.members: one for one in likeness(with_text(sketches), jobs=1).groups}
+    assert groups["s00", "s60"].strength == "worth a look"
+    assert groups["s01", "s02"].strength == "weak"
 
 
 def test_blocks_of_rows_change_nothing_and_bound_the_memory(

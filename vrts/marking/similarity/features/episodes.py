@@ -15,6 +15,14 @@ from vrts.marking.submission.sketch import Sketch, Stop
 ASIDE_MM = 60.0  # a stop at most this far aside of a place is above it, or below
 LEAST_MM = 3.0  # from a place
 SEARCHED = 3  # stops before and behind a place, among which is the one above it
+FAMILIES = {  # kinds that follow from one decision
+    **dict.fromkeys(("above", "raise", "over", "leave"), "heights"),
+    **dict.fromkeys(
+        (f"{kind} speed" for kind in ("take", "put", "above", "raise", "over", "leave")), "speeds"
+    ),
+    **dict.fromkeys(("take", "put", "together"), "places"),
+    **dict.fromkeys(("take axis", "put axis"), "axes"),
+}
 MOST_OF_KEY = 12  # details of a kind and a thing
 TURNED_MM = 100.0  # what a straight motion instead of another counts as
 

@@ -19,6 +19,7 @@ Vectors = Sequence[tuple[float, ...]]
 
 COMMON = 0.5  # share of a class from which on nearness tells nothing
 BLOCK = 2_000_000  # distances between rows that are held at a time
+TINY = 1e-6  # of nats: rounding
 SAME = 0.05  # distances that differ by less are the same
 LEAST_PROGRAMS = 5  # with a detail, before its ranks tell anything
 
@@ -76,14 +77,18 @@ class Nearness(NamedTuple):
                 yield Near(key, first, second, weight, rank - 1)
 
 
-def nearness(details: Sequence[Mapping[Key, Vectors]], count: int) -> Nearness:
+def nearness(
+    details: Sequence[Mapping[Key, Vectors]], count: int, families: Mapping[str, str] | None = None
+) -> Nearness:
     """Return how near programs are.
 
     Args:
         details: Of each program, those of the class first.
         count: How many are of the class.
+        families: Of kinds of details that follow from one decision, what they are together. However
+            many agree, they count by how few of the class are as near in all of them.
     """
-    total = np.zeros((count, len(details)))
+    parts: dict[str, Floats] = {}
     tables: dict[Key, _Table] = {}
     kinds: dict[str, list[Key]] = {}
     for key in sorted({key for one in details[:count] for key in one}):
@@ -91,13 +96,34 @@ def nearness(details: Sequence[Mapping[Key, Vectors]], count: int) -> Nearness:
         if table.inside >= LEAST_PROGRAMS:
             tables[key] = table
             kinds.setdefault(key[0], []).append(key)
-    for keys in kinds.values():
+    for kind, keys in kinds.items():
+        family = (families or {}).get(kind, kind)
+        found = parts.setdefault(family, np.zeros((count, len(details))))
         for key in keys:
             table = tables[key]
             # one subprogram for all things says one thing, several times
             part = _nats(table, count) / len(keys) ** 0.5
-            total[np.ix_(table.ids[: table.inside], table.ids)] += part
+            found[np.ix_(table.ids[: table.inside], table.ids)] += part
+    total = np.zeros((count, len(details)))
+    for found in parts.values():
+        total += _by_rank(found, count)
     return Nearness(total, tables)
+
+
+def _by_rank(found: Floats, count: int) -> Floats:
+    """Return the nats of a family; within the class those of both directions."""
+    places = np.arange(count)
+    usual = found[:, :count].copy()
+    usual[places, places] = -np.inf
+    usual = np.sort(-usual, axis=1)
+    rank = np.empty(found.shape, dtype=np.int64)
+    for k in places:
+        rank[k] = np.searchsorted(usual[k], TINY - found[k], side="right")
+    nats = nats_of_rank(np.maximum(rank, 1), count)
+    nats[found <= TINY] = 0.0
+    nats[:, :count] = (nats[:, :count] + nats[:, :count].T) / 2.0
+    nats[places, places] = 0.0
+    return nats
 
 
 def _table(details: Sequence[Mapping[Key, Vectors]], key: Key, count: int) -> _Table:
