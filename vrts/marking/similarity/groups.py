@@ -33,7 +33,9 @@ class Link(Record, frozen=True):
 class Evidence(Record, frozen=True):
     """Something that two programs share."""
 
-    what: Annotated[str, Meta(description="motion, steps, numbers, words, text, offsets or manner")]
+    what: Annotated[
+        str, Meta(description="motion, steps, numbers, words, text, offsets, manner or lines")
+    ]
     words: str
     weight: Annotated[float, Meta(ge=0, description="natural logarithm of how seldom it is")]
     others: Annotated[int, Meta(ge=0, description="further programs that have it")]

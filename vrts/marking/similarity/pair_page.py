@@ -32,6 +32,7 @@ KINDS = {
     "text": "Text",
     "offsets": "Distances",
     "manner": "Manner",
+    "lines": "Lines",
 }
 
 

@@ -106,6 +106,26 @@ def test_other_values_and_names_change_nothing_of_the_manner_of_motion() -> None
     assert manner(LOOP).isdisjoint(manner(slow))
 
 
+def test_a_line_is_the_same_whatever_its_numbers_blanks_and_capitals() -> None:
+    text = "; Ann\n.PROGRAM go(p1)\n  APPROS p1, 120 ; quickly up\n  DELAY 0.5\n.END\n"
+    data = ".LOCATIONS\nspot 1 2 3 90 90 0\n.END\n"
+    other = text.replace("120", "-95.5").replace("0.5", "2").replace("  APPROS p1", "appros  P1")
+
+    def lines(text: str) -> dict[object, int]:
+        features = features_of(Program(text.encode()), "a", Reader())
+        return {one.key[0]: one.line for one in features if one.channel is Channel.LINES}
+
+    assert lines(text + data) == lines(other)
+    assert lines(data + text)["appros p1, # ; quickly up"] == 6  # of the file
+    assert lines(text).keys() == {
+        "; ann",
+        ".program go(p1)",
+        "appros p1, # ; quickly up",
+        "delay #",
+    }
+    assert lines(text).keys() != lines(text.replace("quickly", "slowly")).keys()
+
+
 def stop(x: int, y: int, z: int, line: int = 1, thing: str = "can1") -> Stop:
     return Stop(line, True, 50, (x, y, z), (0, 0, -100), thing, (x - 70, y, z), "", "", False)
 

@@ -8,6 +8,7 @@ from vrts.marking.similarity.features.code import code_features
 from vrts.marking.similarity.features.counts import Counts, words_counted
 from vrts.marking.similarity.features.feature import Channel, Feature
 from vrts.marking.similarity.features.habits import habit_features
+from vrts.marking.similarity.features.lines import line_features
 from vrts.marking.similarity.features.motion import motion_features
 from vrts.marking.similarity.features.text import text_features
 from vrts.marking.similarity.features.values import value_features
@@ -43,6 +44,7 @@ def features_of(program: Program, name: str, reader: Reader) -> Iterator[Feature
 
 def _features(program: Program, file: Readable, name: str, reader: Reader) -> Iterator[Feature]:
     yield from text_features(file, reader)
+    yield from line_features(file)
     yield from value_features(file)
     yield from habit_features(file)
     if program.sketch is not None:

@@ -17,6 +17,7 @@ class Channel(Enum):
     TEXT = "text"
     OFFSETS = "offsets"
     MANNER = "manner"
+    LINES = "lines"
 
 
 class Feature(NamedTuple):

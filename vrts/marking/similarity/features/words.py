@@ -37,6 +37,7 @@ def words_of(feature: Feature) -> str:
         Channel.TEXT: _text,
         Channel.OFFSETS: _offsets,
         Channel.MANNER: _manner,
+        Channel.LINES: _line,
     }
     said = one_line(tell[feature.channel](feature.kind, feature.key))
     return said if len(said) <= LONGEST else f"{said[: LONGEST - 1]}…"
@@ -135,6 +136,10 @@ def _offsets(_kind: str, key: tuple[object, ...]) -> str:
 
 def _text(_kind: str, _key: tuple[object, ...]) -> str:
     return "the same steps, word for word, except names and numbers"
+
+
+def _line(_kind: str, key: tuple[object, ...]) -> str:
+    return f"the same line, whatever its numbers: `{key[0]}`"
 
 
 def _habits(kind: str, key: tuple[object, ...]) -> str:

@@ -26,7 +26,7 @@ LEAST_PAIRS = 500.0  # a small class is taken for a larger one: little is known 
 MOST_SURPRISE = 40.0  # nats of one channel
 # of the channels, in their order: comments and layout are alike for many innocent reasons, and are
 # what a disguise changes first; manners of motion are what few disguises reach
-FACTORS = (1.0, 1.0, 1.0, 0.5, 1.0, 1.0, 2.0)
+FACTORS = (1.0, 1.0, 1.0, 0.5, 1.0, 1.0, 2.0, 1.0)
 OF_RUNS = (0,)  # channels that are nothing but what a run did
 FEWEST_RUNS = 100  # pairs of which both runs are known, before others are measured by them
 NEAR_FACTOR = 2.0  # of nearness, which few disguises reach
