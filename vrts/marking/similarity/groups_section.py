@@ -19,7 +19,7 @@ ALIKE = {  # of evidence, what one of it is, and several
     "offsets": ("exact distance of taught values", "exact distances of taught values"),
     "words": ("name, comment or habit of layout", "names, comments and habits of layout"),
     "text": ("row of words", "rows of words"),
-    "lines": ("line but for its numbers", "lines but for their numbers"),
+    "lines": ("line with other numbers at most", "lines with other numbers at most"),
 }
 UNLIKE = {  # what is not alike, where there is no evidence of it
     "words": "other names and comments",
