@@ -11,7 +11,7 @@ from tests.support_judge.disguises import DISGUISES, new_layout
 from tests.support_judge.layout import Layout, written
 from tests.support_judge.people import FAMILIES, NAMES, some_person
 from tests.support_judge.slips import with_slip
-from tests.support_judge.source import Loop, Source, changed
+from tests.support_judge.source import Source, loops
 from tests.support_judge.writing import CANS, PROJECT, Assignment, written_by
 
 STUDENTS, SECTIONS, COPIES = 300, 12, 10
@@ -135,13 +135,8 @@ def _ways(rng: Random, copies: int) -> list[tuple[str, ...]]:
 
 def _fits(source: Source, how: tuple[str, ...]) -> bool:
     """Return whether a program can be disguised so: it needs a loop, or several programs."""
-    loops: list[Loop] = []
-    for one in source.programs:
-        changed(
-            one.body,
-            lambda node: (loops.append(node), (node,))[1] if isinstance(node, Loop) else (node,),
-        )
-    if "for to while" in how and not any(one.kind == "FOR" for one in loops):
+    found = [loop for one in source.programs for loop in loops(one.body)]
+    if "for to while" in how and not any(one.kind == "FOR" for one in found):
         return False
     return "reorder programs" not in how or len(source.programs) > 1
 

@@ -15,7 +15,7 @@ from tests.support_judge.source import (
     Program,
     Source,
     Step,
-    changed,
+    loops,
     mapped,
     renamed,
     steps,
@@ -70,12 +70,7 @@ def _own_names(source: Source) -> list[str]:
         for step in steps(program.body):
             if step.word in ("=", "SET"):
                 found.append(step.operands[0].partition("[")[0])
-        changed(
-            program.body,
-            lambda node: (
-                (found.append(node.variable), (node,))[1] if isinstance(node, Loop) else (node,)
-            ),
-        )
+        found += [loop.variable for loop in loops(program.body)]
     return list(dict.fromkeys(found))
 
 

@@ -38,14 +38,7 @@ class Judged(NamedTuple):
 def groups(out: Path) -> list[tuple[frozenset[str], str]]:
     """Return the groups of a marking in their order: who is in them, and what is said of them."""
     read: dict[str, Any] = json.loads((out / "staff" / "similarity.json").read_text("utf-8"))
-    return [
-        (frozenset(map(_plain, one["members"])), str(one["strength"])) for one in read["groups"]
-    ]
-
-
-def _plain(member: str) -> str:
-    """Return the id of somebody, those of an earlier year as `earlier h1234`."""
-    return member
+    return [(frozenset(map(str, one["members"])), str(one["strength"])) for one in read["groups"]]
 
 
 def judged(name: str, out: Path, one: Class) -> Judged:
@@ -78,4 +71,5 @@ def judged(name: str, out: Path, one: Class) -> Judged:
 
 
 def _has(who: frozenset[str], of: str) -> bool:
+    """Return whether somebody is in a group: of the class, or of an earlier year by its folder."""
     return any(member == of or member.endswith((f"/{of}", f":{of}", f" {of}")) for member in who)

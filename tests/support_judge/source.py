@@ -89,6 +89,20 @@ def steps(body: Body) -> Iterator[Step]:
                     yield from steps(piece)
 
 
+def loops(body: Body) -> Iterator[Loop]:
+    """Yield the loops of a body, those inside others first."""
+    for node in body:
+        match node:
+            case Loop():
+                yield from loops(node.body)
+                yield node
+            case Free():
+                for piece in node.pieces:
+                    yield from loops(piece)
+            case Step():
+                pass
+
+
 def mapped(source: Source, change: Callable[[Node], Body]) -> Source:
     """Return a source with the bodies of all programs changed."""
     programs = tuple(one._replace(body=changed(one.body, change)) for one in source.programs)
