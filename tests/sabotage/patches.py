@@ -3,6 +3,7 @@
 from tests.sabotage.certified import CERTIFIED
 from tests.sabotage.course import COURSE
 from tests.sabotage.patch import Patch
+from tests.sabotage.personal import PERSONAL
 from tests.sabotage.proofs import PROOFS
 from tests.sabotage.waiting import WAITING
 
@@ -39,6 +40,7 @@ __all__ = ["PATCHES", "Patch"]
 PATCHES: tuple[Patch, ...] = (
     *COURSE,
     *WAITING,
+    *PERSONAL,
     Patch(
         "a thing that is put across two stands on one of them only, for a task",
         "vrts/check/goals/reached.py",

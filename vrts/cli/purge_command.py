@@ -1,5 +1,6 @@
 """`vrts purge`."""
 
+import os
 import re
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
@@ -7,20 +8,23 @@ from typing import TYPE_CHECKING
 
 import click
 
-from vrts.cli.shared.console import guarded, out, say, show_diagnostics
+from vrts.cli.shared.console import fail, guarded, out, say, show_diagnostics
 from vrts.cli.shared.options import color_option
 
 if TYPE_CHECKING:
+    from vrts.marking.personal.forget import Job
     from vrts.marking.privacy.purge import Looked
 
 EPILOG = """\b
 Examples:
   vrts purge out --older-than 180d
   vrts purge 2025w/* --older-than 1y --yes --keep-statistics
+  vrts purge out 2025w/* --student anna
 """
 
 DAYS = {"d": 1, "w": 7, "y": 365}
 MOST_NAMED = 5
+NAME_TOO = "name {} in this call, too"
 
 
 class Age(click.ParamType[timedelta]):
@@ -45,9 +49,13 @@ class Age(click.ParamType[timedelta]):
 @click.option(
     "--older-than",
     type=Age(),
-    required=True,
     metavar="AGE",
     help="Time since the marking, such as 180d, 26w or 1y; 0d for all.",
+)
+@click.option(
+    "--student",
+    metavar="ID",
+    help="Forget this one student instead: id or pseudonym, or a name that only one has.",
 )
 @click.option(
     "--keep-statistics",
@@ -58,7 +66,12 @@ class Age(click.ParamType[timedelta]):
 @color_option
 @guarded
 def command(
-    folders: tuple[Path, ...], older_than: timedelta, keep_statistics: bool, yes: bool, color: str
+    folders: tuple[Path, ...],
+    older_than: timedelta | None,
+    student: str | None,
+    keep_statistics: bool,
+    yes: bool,
+    color: str,
 ) -> None:
     """Delete what markings wrote about people into the folders OUT.
 
@@ -76,7 +89,21 @@ def command(
     A later marking that was compared with OUT shows programs of it in its own pages. Such markings
     in the same folder as OUT are named, and stay: purge them too, or compare them again. vrts does
     not look elsewhere.
+
+    With --student, one student is forgotten, and all others keep what they have, byte for byte:
+    folders, rows, decisions of graders about them, their program among those that are kept to
+    compare. Lists are written again, and programs are compared again. Exports in staff/exports that
+    name the student are deleted. Whatever interrupts this, the same call ends it. A desk may run
+    meanwhile, a marking may not. What still may name the student is told, and stays.
     """
+    if (older_than is None) == (student is None):
+        fail("say what to delete: either `--older-than AGE`, or `--student ID`")
+    if student is not None:
+        if keep_statistics:
+            fail("`--keep-statistics` belongs to `--older-than`: the marks of all others stay")
+        _forget(tuple(dict.fromkeys(folders)), student, yes, color)
+        return
+    assert older_than is not None
     from vrts.marking.privacy.plans import holds_plan
     from vrts.marking.privacy.purge import State, look, purge
     from vrts.marking.similarity.copies import copies_told
@@ -105,6 +132,41 @@ def command(
         purge(one, keep_statistics=keep_statistics)
         kept = ", statistics are kept" if keep_statistics else ""
         out(f"deleted {_count(one)} in {_plain(str(one.folder))}{kept}")
+
+
+def _forget(folders: tuple[Path, ...], student: str, yes: bool, color: str) -> None:
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before numpy: threads do not fork
+    from vrts.marking.personal.forget import forget, planned
+    from vrts.marking.similarity.copies import copies_told
+
+    jobs = planned(folders, student)
+    for job in jobs:
+        out(_job_line(job))
+    for folder in folders:
+        if folder not in [job.layout.root for job in jobs]:
+            out(f"{_plain(str(folder))}: nobody of that id")
+    going = [job.layout.root for job in jobs]
+    mine = [job.layout.root for job in jobs if job.whom.id]
+    copies = [told for one in mine for told in copies_told(one, [*folders, *going], NAME_TOO)]
+    show_diagnostics(copies, color)
+    if not yes:
+        where = "1 marking" if len(mine) == 1 else f"{len(mine)} markings"
+        click.confirm(f"Forget this student, in {where}, for good?", abort=True, err=True)
+    for job, done in zip(jobs, forget(jobs), strict=True):
+        for name in done.exports:
+            out(f"deleted {_plain(str(job.layout.root / name))}, which named the student")
+        show_diagnostics(done.diagnostics, color)
+        where = _plain(str(job.layout.root))
+        out(f"{where}: {'forgotten' if job.whom.id else 'compared again'}")
+    say("note: downloads stay: delete what they handed in there, or marking again brings it back")
+
+
+def _job_line(job: "Job") -> str:
+    start = f"{_plain(str(job.layout.root))}: {_plain(job.title)}"
+    who = f"forget `{_plain(job.whom.id)}`" if job.whom.id else "compare programs again"
+    name = next((one for one in job.whom.names if one not in job.whom.ids), "")
+    called = f" ({_plain(name)})" if name and len(job.whom.ids) < 2 else ""
+    return f"{start}: {'go on to ' if job.goes_on else ''}{who}{called}"
 
 
 def _what(place: Path) -> str:

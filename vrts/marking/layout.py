@@ -7,6 +7,7 @@ STAGING = ".staging"  # in `staff`: what processes are writing
 COMPARED = "similarity"  # in `staff`: programs to compare with, and pages of two of them
 DECISIONS = "decisions"  # in `staff`: a file for each grader
 RESULT = "result.json"
+FORGETTING = ".forgetting"  # in `staff`: who is being forgotten; deleted when that has ended
 LOST = "lost.txt"  # why a process gave no answer, or only the mark
 
 

@@ -5,7 +5,7 @@ from typing import Any
 import msgspec
 
 from vrts.marking.by_hand.decisions.listing import Listing
-from vrts.marking.by_hand.decisions.records import Decision
+from vrts.marking.by_hand.decisions.records import Line
 from vrts.marking.result import Result
 from vrts.marking.row import Class
 from vrts.marking.similarity.ranking import Ranking
@@ -16,7 +16,7 @@ SCHEMAS: dict[str, tuple[Any, str]] = {
     "result": (Result, "Result of one VAL-II submission marked by vrts"),
     "class": (Class, "Marks of a class"),
     "similarity": (Ranking, "Programs of a class that are alike"),
-    "decisions": (Decision, "A line of a grader's file in `staff/decisions`, after the first"),
+    "decisions": (Line, "A line of a grader's file in `staff/decisions`, after the first"),
     "decided": (Listing, "What `vrts grade decisions --format json` prints"),
     "futures": (Futures, "Every future of a VAL-II program, as `vrts prove` found it"),
     "debug": (Debugged, "A line of what `vrts debug --json` prints: what one command did"),

@@ -12,6 +12,7 @@ SUBCOMMANDS = {
     "export": "write grade books, feedback and results for other systems",
     "init": "write an autograder for a platform",
     "evidence": "pack everything that a mark rests on, for an appeal",
+    "person": "pack all that markings keep of one student",
     "reproduce": "mark what is in an evidence zip again, and compare",
     "diff": "compare two markings of a class",
     "change": "change a mark by hand",

@@ -1,5 +1,6 @@
 """What an earlier marking has written: rows, how it was marked, and what is decided by hand."""
 
+import os
 from difflib import get_close_matches
 from pathlib import Path
 from typing import NamedTuple
@@ -9,7 +10,7 @@ from vrts.check.task.late_rules import LateRules
 from vrts.marking import about
 from vrts.marking.about import About
 from vrts.marking.by_hand.by_hand import ByHand, load_by_hand
-from vrts.marking.layout import Layout
+from vrts.marking.layout import FORGETTING, Layout
 from vrts.marking.privacy.pseudonyms import read_names, with_names
 from vrts.marking.result import Damaged
 from vrts.marking.row import LARGEST, Class, Row, class_from_bytes
@@ -49,14 +50,7 @@ class Written(NamedTuple):
         Raises:
             Refused: There is none, or more than one.
         """
-        rows = self.rows.rows
-        found = [row for row in rows if row.id == wanted]
-        if not found:  # who has a pseudonym may be asked for by name
-            named = with_names(self.rows, self.layout).rows
-            called = {row.id for row in named if wanted.casefold() in _names(row)}
-            known = read_names(self.layout)
-            called |= {name for name, line in known.items() if line.get("id") == wanted}
-            found = [row for row in rows if row.id in called]
+        found = self.rows_called(wanted)
         if len(found) == 1:
             return found[0]
         if found:
@@ -71,6 +65,18 @@ class Written(NamedTuple):
             headline = f"there is no student `{wanted}` in this class"
         raise Refused((error(NOBODY, headline, help=(remedy,)),))
 
+    def rows_called(self, wanted: str) -> list[Row]:
+        """Return the row of that id, else those of everybody with that name or address."""
+        rows = self.rows.rows
+        found = [row for row in rows if row.id == wanted]
+        if not found:  # who has a pseudonym may be asked for by name
+            named = with_names(self.rows, self.layout).rows
+            called = {row.id for row in named if wanted.casefold() in _names(row)}
+            known = read_names(self.layout)
+            called |= {name for name, line in known.items() if line.get("id") == wanted}
+            found = [row for row in rows if row.id in called]
+        return found
+
 
 def read_written(folder: Path) -> Written:
     """Return what a marking wrote into a folder.
@@ -79,6 +85,9 @@ def read_written(folder: Path) -> Written:
         Refused: No marking has been written there, or not by this vrts.
     """
     layout = Layout(folder)
+    if os.path.lexists(layout.staff / FORGETTING):
+        why = "forgetting a student was interrupted: the same call of `vrts purge` ends it"
+        raise no_marking(folder, why)
     try:
         how = about.from_bytes(_read(layout.staff / about.NAME, folder, LARGEST_ABOUT))
     except Damaged as problem:

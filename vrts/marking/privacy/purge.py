@@ -16,7 +16,15 @@ from typing import NamedTuple
 from vrts.base.diagnostic import Rule, error
 from vrts.marking import about
 from vrts.marking.about import About
-from vrts.marking.layout import COMPARED, DECISIONS, STAFF, STAGING, STUDENTS, write_atomically
+from vrts.marking.layout import (
+    COMPARED,
+    DECISIONS,
+    FORGETTING,
+    STAFF,
+    STAGING,
+    STUDENTS,
+    write_atomically,
+)
 from vrts.marking.privacy.plans import KEY, SHARDS, holds_plan
 from vrts.marking.privacy.statistics_of_class import NAME as STATISTICS
 from vrts.marking.privacy.statistics_of_class import statistics_of
@@ -44,6 +52,7 @@ FILES = (
     ),
     f"{STAFF}/{about.NAME}.part",
     *(f"{STAFF}/{name}" for name in (".again.lock", ".writing.lock", ".renewing")),
+    *(f"{STAFF}/{FORGETTING}{end}" for end in ("", ".part")),
 )
 MARKER = f"{STAFF}/{about.NAME}"  # deleted last: where it is, there may be more
 LARGEST_ABOUT = 4_000_000  # bytes

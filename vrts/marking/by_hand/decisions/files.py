@@ -151,7 +151,7 @@ def add_decisions(
         ledger = ledger_of({path.name: before}) if before else NONE
         if ledger.wrong:
             raise Refused(ledger.diagnostics)
-        number = ledger.records[-1].said.number if ledger.records else 0
+        number = ledger.last.get(grader.id, 0)
         numbered = tuple(
             msgspec.structs.replace(
                 _at(one, now) if now is not None and not one.at else one, number=number + k

@@ -2,13 +2,14 @@
 
 import hashlib
 from collections.abc import Iterable, Iterator, Mapping
+from types import MappingProxyType
 from typing import NamedTuple
 
 import msgspec
 
 from vrts.base.diagnostic import Diagnostic, Rule, error, warning
 from vrts.marking.by_hand.decisions.graders import ID, Grader
-from vrts.marking.by_hand.decisions.records import Beginning, Decision
+from vrts.marking.by_hand.decisions.records import Beginning, Decision, Forgotten, Line
 from vrts.marking.by_hand.decisions.sound import flaw_of
 from vrts.marking.row import CountedFile
 from vrts.report.plain import one_line
@@ -26,7 +27,7 @@ MOST_TOLD = 20  # damaged lines of one file
 PUT_BACK = "put the line back as it was, from a copy or from version control"
 FOREIGN_LINE = "delete it only if vrts has not written it"
 
-_DECODER = msgspec.json.Decoder(Decision)
+_DECODER = msgspec.json.Decoder(Line)
 _BEGINNING = msgspec.json.Decoder(Beginning)
 
 
@@ -47,6 +48,7 @@ class Ledger(NamedTuple):
     diagnostics: tuple[Diagnostic, ...] = ()
     revision: str = hashlib.sha256().hexdigest()  # another one wherever a byte differs
     counts: tuple[CountedFile, ...] = ()  # of each file its whole lines
+    last: Mapping[str, int] = MappingProxyType({})  # number of the last record, by grader
 
     @property
     def wrong(self) -> bool:
@@ -71,6 +73,7 @@ def ledger_of(files: Mapping[str, bytes], before: Iterable[CountedFile] = ()) ->
     """
     graders: list[Grader] = []
     records: list[Filed] = []
+    last: dict[str, int] = {}
     found: list[Diagnostic] = []
     revision = hashlib.sha256()
     for name in sorted(files):
@@ -82,11 +85,13 @@ def ledger_of(files: Mapping[str, bytes], before: Iterable[CountedFile] = ()) ->
         if one.grader is not None:
             graders.append(one.grader)
             records += one.records
+            last[one.grader.id] = one.last
     found += _lost(files, before)
     counts = tuple(
         one for name in sorted(files) if (one := _counted(name.removesuffix(ENDING), files[name]))
     )
-    return Ledger(tuple(graders), tuple(records), tuple(found), revision.hexdigest(), counts)
+    digest = revision.hexdigest()
+    return Ledger(tuple(graders), tuple(records), tuple(found), digest, counts, last)
 
 
 def _counted(grader: str, data: bytes, most: int | None = None) -> CountedFile | None:
@@ -139,6 +144,7 @@ class _File:
         self.name = name
         self.grader: Grader | None = None
         self.records: list[Filed] = []
+        self.last = 0  # number of the last record
         self.diagnostics: list[Diagnostic] = []
 
     def read(self, data: bytes) -> None:
@@ -210,7 +216,7 @@ class _File:
         self._numbered(place, said, before)
         self._keep(said)
 
-    def _numbered(self, place: int, said: Decision, before: int) -> None:
+    def _numbered(self, place: int, said: Line, before: int) -> None:
         if said.number == before + 1:
             return
         if said.number <= before:
@@ -221,12 +227,15 @@ class _File:
             remedy = "put the missing line back, from a copy or from version control"
         self._wrong(what, remedy)
 
-    def _keep(self, said: Decision) -> None:
+    def _keep(self, said: Line) -> None:
         assert self.grader is not None
+        self.last = said.number
+        if isinstance(said, Forgotten):
+            return
         identifier, who = self.grader
         self.records.append(Filed(f"{identifier}:{said.number}", identifier, who, said))
 
-    def _decoded(self, line: bytes) -> Decision | str:
+    def _decoded(self, line: bytes) -> Line | str:
         """Return the record in a line, or why there is none."""
         if len(line) > LARGEST_LINE:
             return f"it has more than {LARGEST_LINE:,} bytes"

@@ -143,4 +143,9 @@ class Undo(Said, frozen=True, tag="undo"):
     reason: Annotated[str, Meta(max_length=2000)] = ""
 
 
+class Forgotten(Said, frozen=True, tag="forgotten"):
+    """What was decided about somebody who was forgotten: nothing but its number is left."""
+
+
 Decision = Comment | Item | Give | ChangeMark | Extend | Excuse | Assign | Finish | Decide | Undo
+Line = Decision | Forgotten

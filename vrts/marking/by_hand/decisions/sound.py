@@ -11,6 +11,7 @@ from vrts.marking.by_hand.decisions.records import (
     Extend,
     Finish,
     Item,
+    Line,
 )
 from vrts.marking.unsafe import ALL, SETTLED, Reason
 
@@ -18,7 +19,7 @@ MOST_POINTS = 1000
 FINEST = 1000  # points have three decimals
 
 
-def flaw_of(said: Decision) -> str:
+def flaw_of(said: Line) -> str:
     """Return what is wrong with a record; "" for a sound one."""
     if not is_time(said.at):
         return f"`at` is no time with an offset: `{said.at}`"
@@ -27,7 +28,7 @@ def flaw_of(said: Decision) -> str:
     return ""
 
 
-def _flaws(said: Decision) -> Iterable[str]:
+def _flaws(said: Line) -> Iterable[str]:
     match said:
         case Item():
             yield from _points(said.points)
