@@ -114,29 +114,7 @@ def mark_whole_class(
     task = marker.whole.task
     assert task is not None
     with open_place(submissions) as tree, scratch_folder() as staging:
-
-        def mark(
-            asked: Sequence[Entry], place: Layout | None, cluster: Backend | None
-        ) -> Iterable[Done]:
-            if cluster is not None:
-                return mark_on_dask(
-                    marker,
-                    asked,
-                    place,
-                    cluster,
-                    jobs=how.jobs,
-                    again=how.again,
-                    said=said.append,
-                )
-            return mark_class(
-                marker,
-                asked,
-                place,
-                jobs=how.jobs,
-                again=how.again,
-                staging=staging,
-            )
-
+        mark = _marking(marker, how, staging, said.append)
         own = of_class(marker)
         variants = staging / "variants" if layout is None else layout.variants
         table, about_table = table_for(submissions, tree, layout, how)
@@ -185,12 +163,8 @@ def mark_whole_class(
         written = write_rows(taken.table, download=name_of(submissions))
     else:
         written = names_table(taken.table, key)
-    if how.only is not None:
-        pass  # the table of the others stays
-    elif layout is not None and key is not None:
-        write_names(layout.staff, written)
-    elif layout is not None and table != layout.intake:
-        write_atomically(layout.intake, written)
+    if layout is not None and how.only is None:  # else the table of the others stays
+        _write_table(written, layout, nameless=key is not None, edited=table == layout.intake)
     marked = tuple(rows[row.identifier] for row in found)
     return Marked(
         Class("vrts.class/1", task.title, marked, decisions=changes.ledger.counts),
@@ -207,6 +181,30 @@ def mark_whole_class(
         "" if table is not None else sha256(written).hexdigest(),
         {row.identifier: row.group for row in found},
     )
+
+
+def _marking(
+    marker: Marker, how: HowTo, staging: Path, said: Callable[[Diagnostic], None]
+) -> Callable[[Sequence[Entry], Layout | None, Backend | None], Iterable[Done]]:
+    """Return what marks some of a class: here, or on a cluster."""
+
+    def mark(
+        asked: Sequence[Entry], place: Layout | None, cluster: Backend | None
+    ) -> Iterable[Done]:
+        jobs, again = how.jobs, how.again
+        if cluster is not None:
+            return mark_on_dask(marker, asked, place, cluster, jobs=jobs, again=again, said=said)
+        return mark_class(marker, asked, place, jobs=jobs, again=again, staging=staging)
+
+    return mark
+
+
+def _write_table(written: bytes, layout: Layout, *, nameless: bool, edited: bool) -> None:
+    """Write who handed in what; a table that somebody has edited stays as it is."""
+    if nameless:
+        write_names(layout.staff, written)
+    elif not edited:
+        write_atomically(layout.intake, written)
 
 
 def of_class(marker: Marker) -> MarkerOfClass | None:

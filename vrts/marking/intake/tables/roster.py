@@ -22,7 +22,6 @@ LARGEST = 16_000_000  # bytes
 CANVAS_HEADER = ("student", "id")
 PLAIN_NAMES = ("name", "full name")  # columns of a table that somebody wrote
 PLAIN_EMAILS = ("email", "e-mail", "email address", "mail")
-MOST_NAMED = 5  # in a remark
 RECEIVED = "received"  # a column that somebody has added: when the work came
 KNOWN = (
     "name",
@@ -36,7 +35,7 @@ KNOWN = (
     RECEIVED,
 )
 
-MOST_SHOWN = 5  # texts in a remark
+MOST_SHOWN = 5  # names or texts in a remark
 
 _PARTICIPANT = re.compile(r"[^\d@]+?(\d+)$")  # "Participant 123456", "Teilnehmer/in123456"
 _ADDRESS = re.compile(r"[^@\s]+@[^@\s]+$")
@@ -127,8 +126,8 @@ def enrolled(layout: Layout, roster: Roster) -> Layout:
     ]
     lost = [one.student.name for one in absent.values() if one.received is not None]
     if lost:
-        shown = ", ".join(f"`{name}`" for name in lost[:MOST_NAMED])
-        more = f" and {len(lost) - MOST_NAMED} more" if len(lost) > MOST_NAMED else ""
+        shown = ", ".join(f"`{name}`" for name in lost[:MOST_SHOWN])
+        more = f" and {len(lost) - MOST_SHOWN} more" if len(lost) > MOST_SHOWN else ""
         what = "the list of the class tells when their work came, and no file of theirs is here"
         remarks.append(f"{shown}{more}: {what}; is the download whole?")
     return layout._replace(hand_ins=tuple(hand_ins), remarks=(*layout.remarks, *remarks))
