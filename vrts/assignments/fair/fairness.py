@@ -1,6 +1,6 @@
 """All that is found out about the variants of a task: tried, compared, and copied."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from vrts.assignments.fair.copied import Copied, copied
@@ -45,18 +45,24 @@ class Fairness(NamedTuple):
         return not self.out and not self.covering.given_up
 
 
-def fairness(varied: VariedTask, students: Mapping[str, Combination], workers: Workers) -> Fairness:
+def fairness(
+    varied: VariedTask,
+    students: Mapping[str, Combination],
+    workers: Workers,
+    told: Callable[[int, int], None] = lambda _, __: None,
+) -> Fairness:
     """Try a covering set of variants, and those of students; compare them; copy among them.
 
     Args:
         varied: The task; it has a reference.
         students: Which variant each student has, by a name that is shown; nobody: no list.
         workers: Who tries the variants.
+        told: Told how many are tried, and of how many.
     """
     cover = covering(varied.variants)
     made_up = students or _made_up(varied)
     asked = tuple(dict.fromkeys((*cover.combinations, *made_up.values())))
-    trials = _tried(varied, asked, workers)
+    trials = tuple(_tried(varied, asked, workers, told))
     found = measures(trials, varied.variants.even)
     whose: dict[Combination, list[str]] = {}
     for name, combination in students.items():
@@ -82,11 +88,18 @@ def fairness(varied: VariedTask, students: Mapping[str, Combination], workers: W
     )
 
 
-def _tried(varied: VariedTask, asked: Sequence[Combination], workers: Workers) -> tuple[Trial, ...]:
+def _tried(
+    varied: VariedTask,
+    asked: Sequence[Combination],
+    workers: Workers,
+    told: Callable[[int, int], None],
+) -> Iterator[Trial]:
     def ask(combination: Combination) -> Trial:
         return tried(varied, combination)
 
-    return tuple(workers.answers(ask, asked))
+    for done, trial in enumerate(workers.answers(ask, asked), start=1):
+        told(done, len(asked))
+        yield trial
 
 
 def _made_up(varied: VariedTask) -> dict[str, Combination]:

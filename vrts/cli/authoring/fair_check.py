@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from vrts.cli.shared.console import out, say, show_diagnostics
 from vrts.cli.shared.cores import workers_of
+from vrts.cli.shared.progress import Progress
 
 if TYPE_CHECKING:
     from vrts.assignments.variants.of_task import VariedTask
@@ -52,7 +53,9 @@ def check_variants(folder: Path, how: HowTo) -> bool:
         varied, students = _drawn(varied, how.members, place, how.color)
     elif how.key is not None or os.path.lexists(place):
         _handed(varied, key_of(place), place, how.color)
-    found = fairness(varied, students, workers_of(how.jobs))
+    progress = Progress()
+    found = fairness(varied, students, workers_of(how.jobs), progress.advance)
+    progress.clear()
     out("")
     show_diagnostics(fair_findings(varied.variants, found), how.color)
     out(plain_text("\n".join(fair_lines(varied.variants, found))))

@@ -8,6 +8,7 @@ from vrts.cli.authoring.fair_check import by_name
 from vrts.cli.shared.console import WRONG, fail, guarded, out, say, show_diagnostics, write_file
 from vrts.cli.shared.cores import one_thread_each, workers_of
 from vrts.cli.shared.options import color_option, file_option, jobs_option
+from vrts.cli.shared.progress import Progress
 
 EPILOG = """\b
 Examples:
@@ -38,7 +39,7 @@ Afterwards, with the same list and the same key:
     help="A version of vrts that may mark; without it this one.",
 )
 @click.option("--untried", is_flag=True, help="Do not try the variants of the class first.")
-@jobs_option("Variants that are tried at a time; without it, one for each core.")
+@jobs_option("Variants that are tried and written at a time; without it, one for each core.")
 @color_option
 @guarded
 def command(
@@ -118,13 +119,18 @@ def command(
     if given.gone:
         raise changed(given.gone, place)
     if not untried and varied.solution is not None:
-        tried = fairness(varied, by_name(members, given.variants), workers_of(jobs))
+        trying = Progress()
+        named = by_name(members, given.variants)
+        tried = fairness(varied, named, workers_of(jobs), trying.advance)
+        trying.clear()
         if not tried.fair:
             show_diagnostics(fair_findings(varied.variants, tried), color)
             remedies = ("`vrts task check TASK --roster LIST` tells more",)
             remedies += ("hand them out all the same with `--untried`",)
             fail("nothing is written: not all variants are fit to be handed out", remedies, WRONG)
-    handed = hand_out(varied, members, given.variants, versions)
+    writing = Progress()
+    handed = hand_out(varied, members, given.variants, versions, workers_of(jobs), writing.advance)
+    writing.clear()
     _check_no_others(target / STUDENTS, [Path(name).name for name in handed.files])
     record = handed_bytes(place, secret, varied, members, given)
     show_diagnostics(handed.told, color)
@@ -132,12 +138,12 @@ def command(
         say(f"note: these pictures are the same for all: {', '.join(handed.same_pictures)}")
     (target / STUDENTS).mkdir(parents=True, exist_ok=True)
     for name, data in handed.files.items():
-        write_file(target / name, data)
+        write_file(target / name, data, private=True)
     write_file(target / TABLE, handed.table, private=True)
     write_file(place_of_handed(place), record, private=True)
     note_handed(place, varied.variants.assignment)
     if handed.moodle is not None:
-        write_file(target / MOODLE, handed.moodle)
+        write_file(target / MOODLE, handed.moodle, private=True)
     count = len(handed.files)
     students = "1 student" if count == 1 else f"{count} students"
     different = "1 variant" if handed.variants == 1 else f"{handed.variants} different variants"

@@ -1,13 +1,14 @@
 """The zips of a whole class, and the table of who has which variant."""
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import NamedTuple
 
 from vrts.assignments.variants.handed_out import HandedOut, handed_out, pictures_of, told_once
 from vrts.assignments.variants.of_task import VariedTask
 from vrts.base.diagnostic import Diagnostic, error
 from vrts.base.safe_names import LONGEST_ID, safe
+from vrts.base.workers import Workers
 from vrts.base.zips import packed_in_turn
 from vrts.check.variants.drawn import Variant
 from vrts.marking.intake.row import Platform
@@ -21,6 +22,7 @@ MOODLE = "moodle-feedback.zip"
 _NUMBER = re.compile(r"-?\d+(\.\d+)?")
 MODE = 0o644  # of members
 COLUMNS = ("id", "name", "email", "variant", "zip")
+ALONE = Workers()
 MOST_TOLD = 20  # diagnostics of variants that are no sound tasks
 
 
@@ -40,6 +42,8 @@ def hand_out(
     members: ClassList,
     variants: Mapping[str, Variant],
     versions: tuple[str, ...] = (),
+    workers: Workers = ALONE,
+    told: Callable[[int, int], None] = lambda _, __: None,
 ) -> Handed:
     """Return a zip for everybody in a class.
 
@@ -48,6 +52,8 @@ def hand_out(
         members: The class.
         variants: Who gets which, by id in the class.
         versions: Of vrts that may mark; none: this one.
+        workers: Who writes them.
+        told: Told how many different variants are written, and of how many.
 
     Raises:
         Refused: A variant that somebody has is no sound task.
@@ -56,24 +62,32 @@ def hand_out(
     handed: list[tuple[Member, str, HandedOut]] = []
     wrong: list[Diagnostic] = []
     made: dict[str, HandedOut] = {}  # by tag: several may have the same
-    for member in members.members:
-        variant = variants[member.number]
+    asked = {one.tag: one for one in (variants[member.number] for member in members.members)}
+
+    def write(variant: Variant) -> HandedOut | tuple[Diagnostic, ...]:
         try:
-            one = made.get(variant.tag) or handed_out(varied, variant, pictures, versions)
+            return handed_out(varied, variant, pictures, versions)
         except Refused as refused:
-            wrong += refused.diagnostics
-            continue
-        made[variant.tag] = one
-        handed.append((member, _file(member), one))
+            return refused.diagnostics
+
+    answers = workers.answers(write, tuple(asked.values()))
+    for done, (tag, one) in enumerate(zip(asked, answers, strict=True), start=1):
+        told(done, len(asked))
+        if isinstance(one, HandedOut):
+            made[tag] = one
+        else:
+            wrong += one
     if wrong:
         raise Refused(tuple(wrong[:MOST_TOLD]))
+    for member in members.members:
+        handed.append((member, _file(member), made[variants[member.number].tag]))
     files = {f"{STUDENTS}/{name}": one.data for _, name, one in handed}
     _check_apart(handed)
     moodle = None
     if members.platform is Platform.MOODLE:
         moodle = packed_in_turn(_for_moodle(varied.files.name, handed), MODE)
-    table, told = _table(varied, handed), told_once(made.values())
-    return Handed(files, table, moodle, len(made), told, pictures.kept)
+    table, findings = _table(varied, handed), told_once(made.values())
+    return Handed(files, table, moodle, len(made), findings, pictures.kept)
 
 
 def _file(member: Member) -> str:

@@ -88,7 +88,8 @@ def test_everybody_has_a_zip_and_staff_a_table(home: Home) -> None:
     assert [line["name"] for line in table] == list(CLASS.values())
     names = {line["zip"] for line in table}
     assert names == {path.name for path in (home.zips / "students").iterdir()}
-    assert (home.zips / "variants.csv").stat().st_mode & 0o777 == 0o600
+    private = [path for path in home.zips.rglob("*") if path.is_file()]
+    assert {path.stat().st_mode & 0o777 for path in private} == {0o600}
     with zipfile.ZipFile(home.zips / "moodle-feedback.zip") as archive:
         folders = sorted(name.split("/")[0] for name in archive.namelist())
     wanted = [f"{v.replace(' ', '-')}_{n}_assignsubmission_file_" for n, v in CLASS.items()]
@@ -107,7 +108,9 @@ def test_each_is_marked_by_the_own_variant_and_a_copy_is_told(home: Home, marked
     assert copy.final <= 5
     its_own = f"marked by the student's own, `{tags['4712']}`"
     of_ada = f"its places are those of the variant `{tags['4711']}`, of `Ada Byron`"
-    assert doubts(copy) == [f"variant: {of_ada}, where it would earn 10; {its_own}"]
+    (doubt,) = doubts(copy)  # how many of them differ from the own variant depends on the key
+    said = re.fullmatch(rf"variant: (\d+ of )?{of_ada}, where it would earn 10; {its_own}", doubt)
+    assert said, doubt
     assert doubts(rows["9999"]) == [
         "variant: it is by nobody in the list of the class: marked by the task as it is written"
     ]

@@ -16,6 +16,7 @@ from tests.places import ROOT
 from tests.support_rows import plain_row
 from vrts.assignments.variants.key import NAME, key_of, note_handed, place_of_handed
 from vrts.assignments.variants.of_task import VariedTask, load_varied
+from vrts.base.workers import Workers
 from vrts.check.variants.model import Without
 from vrts.cli.main import vrts
 from vrts.marking.intake.row import Platform, Row, Student
@@ -291,6 +292,16 @@ def test_zips_of_long_names_do_not_collide(varied: VariedTask) -> None:
     with pytest.raises(Refused) as refused:
         hand_out(varied, alike, variants_of(varied, alike, KEY, {}).variants)
     assert "would have the zip" in refused.value.diagnostics[0].headline
+
+
+def test_zips_are_the_same_whoever_writes_them(varied: VariedTask) -> None:
+    who = ClassList(Platform.CANVAS, tuple(Member(n, Student(n), n) for n in ("1", "2", "3")))
+    variants = variants_of(varied, who, KEY, {}).variants
+    steps: list[tuple[int, int]] = []
+    two = hand_out(varied, who, variants, (), Workers(2), lambda done, of: steps.append((done, of)))
+    assert two == hand_out(varied, who, variants)
+    different = len({one.tag for one in variants.values()})
+    assert steps == [(k, different) for k in range(1, different + 1)]
 
 
 def call(*words: object) -> Any:
