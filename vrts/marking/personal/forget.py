@@ -37,6 +37,7 @@ from vrts.marking.personal.overrides import without_changes
 from vrts.marking.personal.tables import without_lines
 from vrts.marking.personal.whom import (
     Whom,
+    left_of,
     nobody,
     nobody_here,
     strike_out,
@@ -97,7 +98,7 @@ def planned(folders: Sequence[Path], wanted: str) -> tuple[Job, ...]:
         if look(folder, timedelta(0), now).state is State.PURGED:
             continue
         before = unfinished(layout)
-        whom = before or whom_in(folder, wanted)
+        whom = before or whom_in(folder, wanted) or left_of(folder, wanted)
         if whom is not None:
             _check_links(layout, whom)
             jobs[folder] = Job(layout, whom, before is not None)

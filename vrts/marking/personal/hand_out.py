@@ -19,12 +19,13 @@ from vrts.marking.exports.marks_table import marks_csv
 from vrts.marking.exports.write import is_name
 from vrts.marking.intake.tables.intake_table import COLUMNS
 from vrts.marking.intake.tables.table_text import read_text, table, table_bytes
-from vrts.marking.layout import LOST, RESULT, Layout
+from vrts.marking.layout import LOST, RESULT, STAFF, Layout
 from vrts.marking.personal.kept import plain_words
 from vrts.marking.personal.likeness_of_one import likeness_of
 from vrts.marking.personal.whom import Whom, nobody, whom_in
 from vrts.marking.privacy.pseudonyms import COLUMN, NAMES
 from vrts.marking.renewing.renewed import brought_up_to_date
+from vrts.marking.result import to_bytes as result_to_bytes
 from vrts.marking.row import Class, Row
 from vrts.marking.similarity.kept import place_of, read_kept
 from vrts.marking.submission.sketch import SKETCH
@@ -56,8 +57,11 @@ What is kept, what for, and how long
 ====================================
 
 {table}"""
-GRADERS: Final = frozenset((Reason.CONFLICT, Reason.LAPSED))  # their sentences name graders
-UNSETTLED: Final = "graders have not settled this yet"
+OTHERS: Final = {  # in place of sentences that name graders, or other students
+    Reason.CONFLICT: "graders have not settled this yet",
+    Reason.LAPSED: "graders have not settled this yet",
+    Reason.VARIANT: "the program may be made for another variant",
+}
 NAMED_BY: Final = ("comment", "give")  # records of which a report says who wrote them
 MODE: Final = 0o600
 
@@ -124,6 +128,7 @@ def _files(written: Written, by_hand: ByHand, whom: Whom) -> Iterator[tuple[str,
     layout = written.layout
     row = _for_student(written.row(whom.id))
     yield from _pages(layout, whom)
+    yield f"{STAFF}/{RESULT}", result_to_bytes(row.result)
     yield "row.json", _laid_out(msgspec.to_builtins(row))
     yield MARKS, marks_csv(Class("vrts.class/1", written.rows.title, (row,)))
     for place in (layout.intake, layout.staff / NAMES):
@@ -164,10 +169,9 @@ def _pages(layout: Layout, whom: Whom) -> Iterator[tuple[str, bytes]]:
     for path in sorted(home.rglob("*")) if not home.is_symlink() else ():
         if path.is_file() and not path.is_symlink():
             yield f"students/{path.relative_to(home).as_posix()}", path.read_bytes()
-    for name in (RESULT, LOST):
-        path = layout.grader(whom.id) / name
-        if path.is_file() and not path.is_symlink():
-            yield f"staff/{name}", path.read_bytes()
+    path = layout.grader(whom.id) / LOST
+    if path.is_file() and not path.is_symlink():
+        yield f"{STAFF}/{LOST}", path.read_bytes()
 
 
 def _for_student(row: Row) -> Row:
@@ -176,10 +180,16 @@ def _for_student(row: Row) -> Row:
     if decided is not None:
         decided = msgspec.structs.replace(decided, conflicts=(), lapsed=(), again="", result=None)
     change = None if row.change is None else msgspec.structs.replace(row.change, who="")
-    unsafe = tuple(
-        Doubt(one.reason, UNSETTLED) if one.reason in GRADERS else one for one in row.unsafe
+    result = row.result if row.decided is None else row.decided.result or row.result
+    if result.variant is not None:
+        doubt = result.variant.doubt  # it says whose variant the program is made for
+        variant = msgspec.structs.replace(result.variant, doubt="")
+        review = tuple(text for text in result.review if not doubt or doubt not in text)
+        result = msgspec.structs.replace(result, variant=variant, review=review)
+    unsafe = tuple(Doubt(one.reason, OTHERS.get(one.reason, one.sentence)) for one in row.unsafe)
+    return msgspec.structs.replace(
+        row, result=result, decided=decided, change=change, unsafe=unsafe
     )
-    return msgspec.structs.replace(row, decided=decided, change=change, unsafe=unsafe)
 
 
 def _line(place: Path, whom: Whom) -> bytes | None:

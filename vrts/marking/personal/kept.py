@@ -88,6 +88,13 @@ KEPT: Final = (
         "not at all: they repeat the rest",
     ),
     Kept(
+        "how the class was marked: the command, with names of files that were handed in one by one",
+        "`staff/marking.json`",
+        "to mark again in the same way, and to know how old all this is",
+        UNTIL,
+        "not at all: what was handed in is in `row.json`",
+    ),
+    Kept(
         "what a marking was writing when it was interrupted",
         "`staff/.staging`, `staff/.renewing`, `staff/.forgetting`",
         "to go on",

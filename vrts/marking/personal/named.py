@@ -2,7 +2,6 @@
 
 import json
 import os
-import re
 from collections.abc import Iterator, Sequence
 from html import escape
 from io import BytesIO
@@ -14,7 +13,9 @@ SHORTEST = 3  # letters of what is looked for: less stands anywhere by chance
 DEEPEST = 3  # zips in zips
 LARGEST = 256_000_000  # bytes of one file
 ZIP = b"PK\x03\x04"
-_INSIDE = rb"A-Za-z0-9\x80-\xff-"  # what goes on a word; platforms join names by `_`
+_INSIDE = frozenset(  # what goes on a word; platforms join names by `_`
+    b"abcdefghijklmnopqrstuvwxyz0123456789-" + bytes(range(0x80, 0x100))
+)
 
 
 class Names:
@@ -27,25 +28,26 @@ class Names:
             if len(name) >= SHORTEST:
                 for text in (name, name.casefold()):
                     forms = (text, escape(text), json.dumps(text)[1:-1])
-                    found |= {form.encode("utf-8", "replace") for form in forms}
-        words = b"|".join(map(re.escape, sorted(found)))
-        whole = rb"(?<![%s])(?:%s)(?![%s])" % (_INSIDE, words, _INSIDE)
-        self._pattern = re.compile(whole, re.IGNORECASE) if found else None
+                    found |= {form.encode("utf-8", "replace").lower() for form in forms}
+        self._forms = sorted(found)
 
     def are_in(self, data: bytes) -> bool:
         """Return whether any of them is in some bytes, or in the zip that they are."""
-        return self._pattern is not None and self._in(data, DEEPEST)
+        return bool(self._forms) and self._in(data, DEEPEST)
+
+    def _stand_in(self, data: bytes) -> bool:
+        low = data.lower()
+        return any(_is_word(low, at, len(form)) for form in self._forms for at in _all(low, form))
 
     def _in(self, data: bytes, deep: int) -> bool:
-        assert self._pattern is not None
-        if self._pattern.search(data):
+        if self._stand_in(data):
             return True
         if not data.startswith(ZIP) or not deep:
             return False
         try:
             archive = Unpacker(BytesIO(data))
             return any(
-                self._pattern.search(name.encode("utf-8", "replace")) is not None
+                self._stand_in(name.encode("utf-8", "replace"))
                 or (size <= LARGEST and self._in(archive.read(name), deep - 1))
                 for name, size in archive.sizes.items()
             )
@@ -67,3 +69,16 @@ def files_naming(folder: Path, names: Names) -> Iterator[Path]:
                 and names.are_in(path.read_bytes())
             ):
                 yield path
+
+
+def _all(data: bytes, form: bytes) -> Iterator[int]:
+    at = data.find(form)
+    while at >= 0:
+        yield at
+        at = data.find(form, at + 1)
+
+
+def _is_word(data: bytes, at: int, length: int) -> bool:
+    end = at + length
+    before = at > 0 and data[at - 1] in _INSIDE
+    return not before and not (end < len(data) and data[end] in _INSIDE)

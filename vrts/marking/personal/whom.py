@@ -3,11 +3,13 @@
 import os
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Literal
+from typing import Final, Literal
 
 import msgspec
 
 from vrts.marking.appeals.written import Written, no_marking, read_written
+from vrts.marking.by_hand.decisions.state import students_of
+from vrts.marking.exports.write import is_name
 from vrts.marking.intake.tables.intake_table import NAME as INTAKE
 from vrts.marking.layout import FORGETTING, Layout, write_atomically
 from vrts.marking.privacy.others import is_nameless
@@ -19,6 +21,7 @@ from vrts.marking.whole_class import was_edited
 from vrts.pipeline.files import read_bytes
 from vrts.pipeline.refused import Refused
 
+SCHEMA: Final = "vrts.forgetting/1"
 SEVERAL = 1  # rows of one name
 
 
@@ -79,6 +82,30 @@ def whom_in(folder: Path, wanted: str) -> Whom | None:
     return _whom(written, found[0], wanted) if found else None
 
 
+def left_of(folder: Path, wanted: str) -> Whom | None:
+    """Return somebody who has no row any more, and of whom something is left; None: nothing is.
+
+    They were in an earlier marking into this folder, or a grader decided about them afterwards.
+
+    Args:
+        folder: Of a marking that has ended.
+        wanted: Id, exactly.
+    """
+    written = read_written(folder)
+    layout, by_hand = written.layout, written.by_hand()
+    if not is_name(wanted):
+        return None
+    homes = (layout.student(wanted), layout.grader(wanted))
+    if not (
+        any(home.is_dir() for home in homes)
+        or wanted in by_hand.overrides.changes
+        or any(wanted in students_of(one.said) for one in by_hand.ledger.records)
+    ):
+        return None
+    compared = (layout.staff / PAGE).is_file()
+    return Whom(SCHEMA, wanted, (wanted,), (wanted,), table=_table(layout), compared=compared)
+
+
 def nobody(folder: Path, wanted: str) -> Refused:
     """Return that nobody of a marking is called so, and who may be meant."""
     try:
@@ -90,7 +117,7 @@ def nobody(folder: Path, wanted: str) -> Refused:
 
 def nobody_here(layout: Layout) -> Whom:
     """Return that only programs are to be compared again."""
-    return Whom("vrts.forgetting/1", "", compared=(layout.staff / PAGE).is_file())
+    return Whom(SCHEMA, "", compared=(layout.staff / PAGE).is_file())
 
 
 def _rows(written: Written, wanted: str) -> Sequence[Row]:
@@ -101,8 +128,11 @@ def _rows(written: Written, wanted: str) -> Sequence[Row]:
     return found
 
 
-def _edited(layout: Layout, table: str) -> bool:
-    return was_edited(layout, layout.staff / table)
+def _table(layout: Layout) -> str:
+    """Return the table of hand-ins, which nobody has edited; "" where somebody has."""
+    table = NAMES if is_nameless(layout) else INTAKE
+    place = layout.staff / table
+    return table if place.is_file() and not was_edited(layout, place) else ""
 
 
 def _whom(written: Written, row: Row, wanted: str) -> Whom:
@@ -115,14 +145,13 @@ def _whom(written: Written, row: Row, wanted: str) -> Whom:
     ids = tuple(dict.fromkeys(one for one in (row.id, home) if one))
     names = (*ids, student.name, student.email, student.login, *student.ids.values())
     variant = row.result.variant
-    table = NAMES if nameless else INTAKE
     return Whom(
-        "vrts.forgetting/1",
+        SCHEMA,
         row.id,
         ids,
         tuple(dict.fromkeys(name.strip() for name in names if name.strip())),
         line.get("file", "") or row.handed_in.file,
         "" if variant is None else variant.tag,
-        "" if not (layout.staff / table).is_file() or _edited(layout, table) else table,
+        _table(layout),
         (layout.staff / PAGE).is_file(),
     )

@@ -122,6 +122,28 @@ def test_whatever_interrupts_it_the_same_call_ends_it(marked: Path, tmp_path: Pa
 
 
 @pytest.mark.thorough
+def test_a_corpus_is_found_again_or_told_and_a_later_class_is_told(home: Path) -> None:
+    def corpus() -> list[str]:
+        data = json.loads((home / "2026/staff/similarity.json").read_bytes())
+        return [one["name"] for one in data["corpus"]]
+
+    done = call("purge", home / "2026", "--student", OTHERS[0], "--yes")
+    assert done.exit_code == 0, done.output
+    assert "V925" not in done.output
+    assert corpus() == ["2025"]  # it lies beside
+    done = CliRunner().invoke(vrts, ["purge", str(home / "2025"), "--student", MINE], input="n\n")
+    told = " ".join(done.stderr.split())
+    assert "warning[V780 copies-elsewhere]" in told
+    assert "in this call, too" in told
+    (home / "away").mkdir()
+    (home / "2025").rename(home / "away" / "2025")
+    done = call("purge", home / "2026", "--student", OTHERS[1], "--yes")
+    assert done.exit_code == 0, done.output
+    assert "warning[V925 compared-without-a-corpus]" in done.stderr
+    assert not (home / "2026/staff/similarity.json").exists()  # nobody is left to compare
+
+
+@pytest.mark.thorough
 def test_a_pseudonym_or_the_id_says_who_is_forgotten(tmp_path: Path) -> None:
     words = ("grade", EXAMPLE, download(tmp_path / "in"), "-o", tmp_path / "out")
     assert call(*words, "--pseudonyms", "--no-pages").exit_code == 0
@@ -169,6 +191,21 @@ def test_who_cannot_be_forgotten_is_told_and_nothing_changes(tmp_path: Path) -> 
     (out / "students/anna-berger").symlink_to(away)
     assert "V769" in call("purge", out, "--student", "anna-berger", "--yes").stderr
     assert any(away.iterdir())
+
+
+def test_who_has_no_row_any_more_is_forgotten_too(tmp_path: Path) -> None:
+    out = synthetic(tmp_path / "out", 3)
+    (out / "students/zoe").mkdir()
+    (out / "students/zoe/report.html").write_text("zoe")
+    late = written("rh", Comment(1, AT, "zoe", "see me"), Comment(2, AT, "yann", "see me"))
+    (out / "staff/decisions/rh.jsonl").write_bytes(late)
+    before = read_written(out).rows.rows
+    for name in ("zoe", "yann"):  # of an earlier marking; decided by a desk that did not know
+        assert naming(out, name)
+        assert call("purge", out, "--student", name, "--yes").exit_code == 0
+        assert naming(out, name) == []
+    assert read_written(out).rows.rows == before
+    assert "V761" in call("purge", out, "--student", "../anna-berger", "--yes").stderr
 
 
 def test_what_others_wrote_stays_and_is_told(tmp_path: Path) -> None:

@@ -2,13 +2,15 @@
 
 import io
 import json
+import re
 import zipfile
 from pathlib import Path
 
 import pytest
 
 from tests.unit.marking.personal.support import MINE, WORDS, call, ids_of, unpacked
-from vrts.marking.personal.kept import manual_rows
+from vrts.marking.personal.kept import KEPT, manual_rows
+from vrts.marking.privacy import purge
 from vrts.pipeline.files import CHECKOUT
 
 MANUAL = CHECKOUT / "vrts" / "manual" / "understand" / "what-a-marking-keeps.md"
@@ -17,6 +19,18 @@ MANUAL = CHECKOUT / "vrts" / "manual" / "understand" / "what-a-marking-keeps.md"
 def test_the_manual_has_the_table_of_what_is_kept() -> None:
     lines = MANUAL.read_text(encoding="utf-8").splitlines()
     assert [line for line in lines if line.startswith("| ")][1:] == list(manual_rows())
+
+
+def test_what_is_told_to_be_kept_is_what_purge_deletes() -> None:
+    places = [one for kept in KEPT for one in re.findall("`([^`]+)`", kept.where)]
+    assert len(places) > 15
+    for place in places:
+        files = (*purge.FILES, purge.MARKER)
+        assert place in files or any(place.startswith(one) for one in purge.FOLDERS), place
+    told = {place.split("/")[1] for place in places if "/" in place}
+    for name in (*purge.FILES, *purge.FOLDERS):
+        own = name.removesuffix(".part").removeprefix("staff/")
+        assert own.endswith(".lock") or own in (*told, "students", "marking.json"), name
 
 
 @pytest.mark.thorough

@@ -183,3 +183,29 @@ def test_what_a_variant_gives_is_no_evidence_of_likeness(home: Home, marked: Lay
         }
         assert similarity(programs, [written.encode()]).pairs  # the task as written is not enough
         assert not similarity(programs, given).pairs
+
+
+@pytest.mark.thorough
+def test_who_is_forgotten_leaves_no_variant_and_who_asks_learns_of_nobody(
+    marked: Layout, tmp_path: Path
+) -> None:
+    out = tmp_path / "out"
+    shutil.copytree(marked.root, out)
+    rows = rows_of(marked)
+    ada, kurt = rows["4711"], rows["4712"]
+    told = call("grade", "person", out, "--student", kurt.id, "-o", tmp_path / "kurt.zip")
+    assert told.exit_code == 0, told.output
+    with zipfile.ZipFile(tmp_path / "kurt.zip") as archive:
+        for name in archive.namelist():
+            assert b"Ada" not in archive.read(name), name
+    assert ada.result.variant is not None
+    task = out / "staff" / "variants" / f"{ada.result.variant.tag}.zip"
+    assert task.is_file()
+    told = call("purge", out, "--student", ada.id, "--yes")
+    assert told.exit_code == 0, told.output
+    assert not task.exists()
+    assert "warning[V924 still-named]" in told.stderr  # Kurt's row says whose places he has
+    left = {path for path in out.rglob("*") if path.is_file() and b"Ada" in path.read_bytes()}
+    named = {path for path in left if path.relative_to(out).as_posix() in told.stderr}
+    assert left == named
+    assert rows_of(Layout(out)) == {number: row for number, row in rows.items() if row != ada}
