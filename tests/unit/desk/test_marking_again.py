@@ -13,6 +13,8 @@ from vrts.marking.about import from_bytes
 from vrts.marking.layout import Layout
 from vrts.marking.row import Class, class_from_bytes
 
+CHANGED = "the task has changed since the class was marked"
+
 
 def listed(layout: Layout) -> Class:
     return class_from_bytes(layout.results.read_bytes())
@@ -36,7 +38,7 @@ def test_one_is_not_marked_by_another_task_than_the_others(tmp_path: Path) -> No
         assert desk.request("POST", "/api/mark", {"students": []}).status == 422
         assert desk.request("DELETE", "/api/mark").status == 409
         told = ended(desk, ["s0001"])
-        assert told["problem"] == "the task has changed since the class was marked"
+        assert told["problem"] == f"{CHANGED}. Mark all again, so that one task holds for everybody"
         assert desk.whole["marking"]["problem"] == told["problem"]
     assert {row.id: row.result for row in listed(layout).rows} == before
     (tmp_path / "handed-in").rename(tmp_path / "moved")

@@ -18,6 +18,9 @@ DOUBT = 30.0  # nats that two programs may share by chance
 ALONE = 0.2  # what a feature that nobody shares counts in the size of a program
 SMALLER = 0.7  # how much the smaller of two programs counts in the size of both
 BLOCK = 4096  # features at a time
+# weights are multiples of 1/512 nat: sums of a block, in single precision, are exact in whatever
+# order they are made, so ranks do not depend on the machine and its threads
+EXACT = 512.0
 
 
 class Shares(NamedTuple):
@@ -68,7 +71,7 @@ def shares(
     weights = _weights(here, everywhere, count, total)
     single = np.where(everywhere == 1, ALONE, 1.0) * weights
     sizes = np.bincount(owner, weights=single[token], minlength=total)
-    common = _common(token, owner, np.sqrt(weights), everywhere, here, count, total)
+    common = _common(token, owner, weights, everywhere, here, count, total)
     less = np.minimum(sizes[:count, None], sizes[None, :])
     more = np.maximum(sizes[:count, None], sizes[None, :])
     whole = less**SMALLER * more ** (1.0 - SMALLER)
@@ -84,30 +87,34 @@ def _weights(
     usual = np.maximum(everywhere - 2, 0) / (total + BACKGROUND)
     usual = np.maximum(usual, np.maximum(here - 2, 0) / (count + BACKGROUND))
     usual = np.maximum(usual, 1.0 / (total + BACKGROUND))
-    return np.maximum(0.0, -np.log(usual) + np.log(COMMON))
+    nats = np.maximum(0.0, -np.log(usual) + np.log(COMMON))
+    return np.rint(nats * EXACT) / EXACT
 
 
 def _common(
     token: NDArray[np.int64],
     owner: NDArray[np.int64],
-    roots: NDArray[np.float64],
+    weights: NDArray[np.float64],
     everywhere: NDArray[np.int64],
     here: NDArray[np.float64],
     count: int,
     total: int,
 ) -> NDArray[np.float64]:
     """Return the sum of weights of what each pair has in common."""
-    useful = (everywhere > 1) & (here > 0) & (roots > 0)
+    useful = (everywhere > 1) & (here > 0) & (weights > 0)
     number = np.cumsum(useful) - 1
     some = useful[token]
     column, row = number[token[some]], owner[some]
-    value = roots[token[some]].astype(np.float32)
+    value = weights[token[some]].astype(np.float32)
     order = np.argsort(column, kind="stable")
     column, row, value = column[order], row[order], value[order]
     found = np.zeros((count, total), dtype=np.float64)
     for start in range(0, int(useful.sum()), BLOCK):
         first, last = np.searchsorted(column, (start, start + BLOCK))
-        dense = np.zeros((total, BLOCK), dtype=np.float32)
-        dense[row[first:last], column[first:last] - start] = value[first:last]
-        found += dense[:count] @ dense.T
+        has = np.zeros((total, BLOCK), dtype=np.float32)
+        has[row[first:last], column[first:last] - start] = 1.0
+        weighs = np.zeros((count, BLOCK), dtype=np.float32)
+        own = row[first:last] < count
+        weighs[row[first:last][own], column[first:last][own] - start] = value[first:last][own]
+        found += weighs @ has.T
     return found
