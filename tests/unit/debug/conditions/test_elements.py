@@ -1,11 +1,9 @@
 """A name that stands for one array after the other has the elements of the one that is meant."""
 
 from tests.support_programs import compiled, robot_alone
+from tests.unit.debug.conditions.support import told_both
 from vrts.debug.conditions.expression import Expressions
-from vrts.debug.conditions.hearing import nobody
 from vrts.debug.debugger import Debugger
-from vrts.debug.evaluating import CannotTell, evaluate
-from vrts.debug.frames import seen_by
 from vrts.engine.controller import execute
 from vrts.lang.dialect import DIALECTS
 
@@ -41,16 +39,7 @@ def test_expressions_about_an_argument_are_of_the_array_that_was_given() -> None
         at = passages.instant(k)
         activation = trace.activation(at.finished)
         for text in ASKED:
-            wanted: object
-            found: object
-            try:
-                wanted = evaluate(d.run, at, text, d.dialect, seen_by(d.run, at, activation))
-            except CannotTell as problem:
-                wanted = str(problem)
-            try:
-                found = known.of(text).value(at, activation, nobody)
-            except CannotTell as problem:
-                found = str(problem)
+            wanted, found = told_both(d, known, text, at, activation)
             assert repr(found) == repr(wanted), (text, at)
             told[text].add(repr(found))
     assert all(len(told[text]) > 1 for text in ASKED), told

@@ -8,11 +8,12 @@ import pytest
 
 from tests.laws import first
 from tests.support_programs import compiled, robot_alone
+from tests.unit.debug.conditions.support import told_both
 from vrts.debug.conditions.expression import Expressions
 from vrts.debug.conditions.hearing import Interrupted, nobody
 from vrts.debug.debugger import Debugger
 from vrts.debug.evaluating import CannotTell, evaluate
-from vrts.debug.frames import frames, seen_by
+from vrts.debug.frames import frames
 from vrts.debug.passages import at_time
 from vrts.engine.controller import execute
 from vrts.engine.run import Run
@@ -113,16 +114,7 @@ def test_what_histories_tell_is_what_the_controller_tells(seed: int) -> None:
         at = passages.instant(chance.randrange(passages.count))
         inside = frames(d.run, at, process=process)
         activation = inside[0].activation if inside else None
-        wanted: object
-        found: object
-        try:
-            wanted = evaluate(d.run, at, text, d.dialect, seen_by(d.run, at, activation))
-        except CannotTell as problem:
-            wanted = str(problem)
-        try:
-            found = known.of(text).value(at, activation, nobody)
-        except CannotTell as problem:
-            found = str(problem)
+        wanted, found = told_both(d, known, text, at, activation)
         if process and MOVING.search(text):
             continue  # a fork goes on in the next tick there: what programs read is tested below
         assert repr(found) == repr(wanted), (text, at, process)
