@@ -8,6 +8,7 @@ COMPARED = "similarity"  # in `staff`: programs to compare with, and pages of tw
 DECISIONS = "decisions"  # in `staff`: a file for each grader
 RESULT = "result.json"
 FORGETTING = ".forgetting"  # in `staff`: who is being forgotten; deleted when that has ended
+AGAIN_LOCK = ".again.lock"  # in `staff`: held by a desk that marks again; nothing is in it
 LOST = "lost.txt"  # why a process gave no answer, or only the mark
 
 

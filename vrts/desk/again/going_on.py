@@ -2,13 +2,10 @@
 
 import os
 from pathlib import Path
-from typing import Final
 
-from vrts.marking.layout import Layout
+from vrts.marking.layout import AGAIN_LOCK, Layout
 from vrts.marking.supervise.staging import LOCK as STAGING_LOCK
 from vrts.marking.supervise.staging import locked
-
-LOCK: Final = ".again.lock"  # in `staff`; nothing is in it
 
 
 def taken_for_marking(folder: Path) -> int | None:
@@ -20,7 +17,7 @@ def taken_for_marking(folder: Path) -> int | None:
         OSError: The folder cannot be written.
     """
     staff = Layout(folder).staff
-    descriptor = os.open(staff / LOCK, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
+    descriptor = os.open(staff / AGAIN_LOCK, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
     if locked(descriptor) is not False and not _staging(folder):
         return descriptor
     os.close(descriptor)
@@ -29,7 +26,7 @@ def taken_for_marking(folder: Path) -> int | None:
 
 def goes_on(folder: Path) -> bool:
     """Return whether a marking goes on: of a desk, or of `vrts grade`."""
-    return _held(Layout(folder).staff / LOCK) or _staging(folder)
+    return _held(Layout(folder).staff / AGAIN_LOCK) or _staging(folder)
 
 
 def _staging(folder: Path) -> bool:

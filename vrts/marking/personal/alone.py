@@ -6,12 +6,11 @@ from contextlib import contextmanager
 
 from vrts.base.diagnostic import Rule, error
 from vrts.marking.class_files import lists_alone
-from vrts.marking.layout import Layout
+from vrts.marking.layout import AGAIN_LOCK, Layout
 from vrts.marking.supervise.staging import LOCK, locked, remove_unused
 from vrts.pipeline.refused import Refused
 
 GOES_ON = Rule("V923", "marking-goes-on")
-AGAIN = ".again.lock"  # in `staff`: of a desk that marks again
 
 
 @contextmanager
@@ -21,7 +20,7 @@ def alone_in(layout: Layout) -> Generator[None]:
     Raises:
         Refused: Somebody marks.
     """
-    held = os.open(layout.staff / AGAIN, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
+    held = os.open(layout.staff / AGAIN_LOCK, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
     try:
         if locked(held) is False or _is_marked(layout):
             headline = f"a marking goes on in `{layout.root}`: nobody is forgotten"

@@ -17,6 +17,7 @@ from vrts.base.diagnostic import Rule, error
 from vrts.marking import about
 from vrts.marking.about import About
 from vrts.marking.layout import (
+    AGAIN_LOCK,
     COMPARED,
     DECISIONS,
     FORGETTING,
@@ -51,7 +52,7 @@ FILES = (
         for end in ("", ".part")
     ),
     f"{STAFF}/{about.NAME}.part",
-    *(f"{STAFF}/{name}" for name in (".again.lock", ".writing.lock", ".renewing")),
+    *(f"{STAFF}/{name}" for name in (AGAIN_LOCK, ".writing.lock", ".renewing")),
     *(f"{STAFF}/{FORGETTING}{end}" for end in ("", ".part")),
 )
 MARKER = f"{STAFF}/{about.NAME}"  # deleted last: where it is, there may be more
